@@ -1,0 +1,22 @@
+#pragma once
+
+namespace contensou {
+
+/// One of the two bodies of a Hertz contact, LG03 (3.2), (3.3).
+struct ElasticBody {
+  double radius;   ///< ρ_i [m]: > 0, +∞ for a plane, < 0 for a hollow (concave) surface
+  double modulus;  ///< E_i [Pa] > 0, +∞ for a rigid body
+  double poisson;  ///< ν_i in (-1, 0.5]
+};
+
+/// E* [Pa], LG03 (3.3): 1/E* = (1 − ν_1²)/E_1 + (1 − ν_2²)/E_2. +∞ if both are rigid.
+double effective_modulus(const ElasticBody& a, const ElasticBody& b);
+
+/// ρ* [m], LG03 (3.2): 1/ρ* = 1/ρ_1 + 1/ρ_2. Throws std::invalid_argument where the bodies conform (1/ρ* <= 0).
+double relative_radius(const ElasticBody& a, const ElasticBody& b);
+
+/// R [m], LG03 (3.2): R = (3 ρ* λ_N / (4 E*))^{1/3}, λ_N >= 0 [N].
+/// Throws std::invalid_argument for anything outside the ranges above.
+double hertz_contact_radius(const ElasticBody& a, const ElasticBody& b, double lambda_n);
+
+}  // namespace contensou
