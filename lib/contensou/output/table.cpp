@@ -85,13 +85,15 @@ std::vector<double> Table::numbers(std::string_view name) const {
   return values;
 }
 
-void write_table(const Table& table, const std::filesystem::path& path) {
+std::string to_text(const Table& table) {
   std::string text;
   for (const std::string& comment : table.comments) text += comment.empty() ? "#\n" : "# " + comment + '\n';
   append_line(text, table.columns);
   for (const auto& row : table.rows) append_line(text, row);
-  write_file(text, path);
+  return text;
 }
+
+void write_table(const Table& table, const std::filesystem::path& path) { write_file(to_text(table), path); }
 
 Table read_table(const std::filesystem::path& path) {
   std::ifstream in(path);

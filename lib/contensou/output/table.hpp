@@ -31,6 +31,9 @@ struct Table {
   std::vector<double> numbers(std::string_view name) const;
 };
 
+/// The whole table as it stands in a file.
+std::string to_text(const Table& table);
+
 /// Writes under a temporary name beside `path`, then renames: a reader never sees half a table. Makes missing folders.
 /// Throws std::runtime_error naming the path where that fails.
 void write_table(const Table& table, const std::filesystem::path& path);
