@@ -1,0 +1,157 @@
+// contensou law: the reduced friction law, phi, xi and eta over u.
+
+#include <unistd.h>
+
+#include <iostream>
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "contensou/law/catalogue.hpp"
+#include "contensou/output/table.hpp"
+#include "numbers.hpp"
+#include "output.hpp"
+#include "subcommand.hpp"
+
+namespace cli {
+namespace {
+
+constexpr const char* description =
+    "The friction law of a circular contact patch that slides and spins.\n\n"
+    "A patch of radius R is pressed on with the force lambda_N, slides with the velocity v and spins with "
+    "the angular\n"
+    "velocity omega. How much of the friction mu lambda_N resists sliding and how much resists spinning "
+    "depends on\n"
+    "one number only,\n"
+    "    u    = |v|/(|omega| R)                  0: spin without sliding ... inf: sliding without spin\n"
+    "and for each u given this prints a row u phi xi eta, all without dimension:\n"
+    "    phi  = Phi/(mu lambda_N sqrt(v^2 + (omega R)^2))    velocity potential; the power friction takes, "
+    "normalised\n"
+    "    xi   = |lambda_T|/(mu lambda_N)                     friction force; 1 is the whole of Coulomb's "
+    "friction\n"
+    "    eta  = |lambda_tau|/(mu lambda_N) = |tau_N|/(mu lambda_N R)     friction torque\n"
+    "As u grows xi rises from 0 to 1 and eta falls to 0: spin takes the friction away from sliding. At rest "
+    "(v = 0 and\n"
+    "omega = 0) friction is the whole set bounded by the curve (xi, eta), and no u stands for it.";
+
+constexpr const char* examples =
+    "Examples:\n"
+    "  contensou law --pressure uniform 0 0.5 1 2 inf\n"
+    "  contensou law --pressure hertz --model ellipsoid 1\n"
+    "  seq 0 0.01 2 | contensou law --pressure power:1 --out law.tsv\n\n"
+    "Input: a u a line where no U is given; blank lines and lines that begin with # are skipped.\n"
+    "Output: tab-separated; # comment lines, one line of column names, rows. Numbers are the shortest text "
+    "that reads\n"
+    "back to the same double. Nothing is written unless every u is good.";
+
+constexpr const char* expected_u = "u = |v|/(|omega| R), a number >= 0 or inf";
+
+struct LawOptions {
+  std::string pressure;
+  std::string model = "exact";
+  std::vector<std::string> u;
+  std::string out;
+};
+
+double to_slip_ratio(const std::string& text, const std::string& source) {
+  const double u = to_number(text, source, expected_u);
+  if (u < 0) throw BadInput(source + ": " + in_quotes(text) + " is negative; expected " + expected_u);
+  return u;
+}
+
+/// The values of u from the command line or else from standard input.
+std::vector<double> slip_ratios(const std::vector<std::string>& arguments) {
+  std::vector<double> values;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    values.push_back(to_slip_ratio(arguments[i], "argument U number " + std::to_string(i + 1)));
+  }
+  if (!arguments.empty()) return values;
+
+  if (isatty(STDIN_FILENO) != 0)
+    std::cerr << "contensou law: reading u from the keyboard, one a line; Ctrl-D ends\n";
+  for (const Line& line : data_lines(std::cin, "standard input", "one u a line, a number >= 0 or inf")) {
+    values.push_back(to_slip_ratio(line.text, line.source));
+  }
+  return values;
+}
+
+/// The law asked for; says which of the two options is to blame if there is none.
+contensou::AnyLaw chosen_law(const LawOptions& options) {
+  const auto blame = [](const char* option, const std::exception& error) {
+    return BadInput(std::string(option) + ": " + error.what());
+  };
+  try {
+    contensou::pressure_exponent(options.pressure);
+  } catch (const std::invalid_argument& error) {
+    throw blame("--pressure", error);
+  }
+  try {
+    return contensou::make_law(options.pressure, options.model);
+  } catch (const std::invalid_argument& error) {
+    throw blame("--model", error);
+  }
+}
+
+/// The equations of the paper behind an exact law.
+std::string equations(const LawOptions& options) {
+  if (options.model != "exact") return "an approximation or a printed form, see contensou law --help";
+  const double n = contensou::pressure_exponent(options.pressure);
+  if (n == 0) return "sigma constant, LG03 (2.1), (2.2), complete elliptic integrals";
+  if (n == 0.5) return "sigma ~ sqrt(1 - rho^2/R^2), LG03 (3.14), (3.17), (3.18)";
+  return "sigma ~ (1 - rho^2/R^2)^" + contensou::to_text(n) + ", LG03 (2.1) integrated";
+}
+
+void run(const LawOptions& options) {
+  const contensou::AnyLaw law = chosen_law(options);
+  const std::vector<double> values = slip_ratios(options.u);
+
+  contensou::Table table;
+  table.comments = {"contensou law --pressure " + options.pressure + " --model " + options.model +
+                        ", version " CONTENSOU_VERSION,
+                    "law: " + equations(options),
+                    "u = |v|/(|omega| R); phi = Phi/(mu lambda_N sqrt(v^2 + (omega R)^2)), LG03 (2.1)",
+                    "xi = |lambda_T|/(mu lambda_N), eta = |lambda_tau|/(mu lambda_N) = |tau_N|/(mu lambda_N "
+                    "R), LG03 (3.20)"};
+  if (std::holds_alternative<contensou::TanhLaw>(law)) {
+    table.comments.emplace_back("this law has a velocity scale: taken at sqrt(v^2 + (omega R)^2) = 1 m/s");
+  }
+  table.columns = {"u", "phi", "xi", "eta"};
+  std::visit(
+      [&](const auto& chosen) {
+        for (const double u : values) {
+          const auto [phi, xi, eta] = contensou::reduced(chosen, u);
+          table.add({u, phi, xi, eta});
+        }
+      },
+      law);
+  deliver(table, options.out);
+}
+
+}  // namespace
+
+void add_law(CLI::App& program) {
+  CLI::App* law =
+      program.add_subcommand("law", "The friction law: potential, force and torque over the slip ratio u");
+  law->description(description);
+  law->get_formatter()->column_width(26);
+
+  const auto options = std::make_shared<LawOptions>();
+  law->add_option("--pressure", options->pressure,
+                  "How the pressure sigma falls off towards the rim:\n"
+                  "uniform (constant), hertz (sqrt(1 - rho^2/R^2), which\n"
+                  "the paper calls parabolic) or power:N\n"
+                  "((1 - rho^2/R^2)^N, N > -1)")
+      ->required()
+      ->option_text("P");
+  law->add_option("--model", options->model, "exact (if not given), or one of those below")->option_text("M");
+  law->add_option("--out", options->out, "Write to FILE, all or nothing, instead of to standard\noutput")
+      ->option_text("FILE");
+  law->add_option("U", options->u,
+                  "Values of u, each in [0, inf]; where none is given, one\na line from standard input")
+      ->option_text("...");
+  law->footer("Models:\n" + contensou::model_help() + "\n" + examples);
+  law->callback([options] { run(*options); });
+}
+
+}  // namespace cli

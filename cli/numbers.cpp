@@ -1,0 +1,70 @@
+#include "numbers.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <istream>
+
+#include "subcommand.hpp"
+
+namespace cli {
+namespace {
+
+constexpr std::string_view blanks = " \t\r\v\f";
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(blanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+}  // namespace
+
+std::string in_quotes(std::string_view value) {
+  constexpr std::size_t longest = 60;
+  constexpr std::string_view digits = "0123456789abcdef";
+  std::string shown = "\"";
+  for (const char character : value.substr(0, longest)) {
+    const auto byte = static_cast<unsigned char>(character);
+    if (byte < 0x20 || byte == 0x7f) {
+      shown += {'\\', 'x', digits[byte / 16], digits[byte % 16]};
+    } else {
+      shown += character;
+    }
+  }
+  return shown + (value.size() > longest ? "...\"" : "\"");
+}
+
+double to_number(std::string_view text, std::string_view source, std::string_view expected) {
+  const auto refuse = [&](std::string_view what) -> BadInput {
+    return BadInput(std::string(source) + ": " + in_quotes(text) + ' ' + std::string(what) + "; expected " +
+                    std::string(expected));
+  };
+  std::string_view number = trimmed(text);
+  if (number.starts_with('+') && !number.starts_with("+-"))
+    number.remove_prefix(1);  // from_chars knows no '+'
+
+  double x = 0;
+  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), x);
+  if (end != number.data() + number.size() || error == std::errc::invalid_argument) {
+    throw refuse("is not a number");
+  }
+  if (error == std::errc::result_out_of_range) throw refuse("is out of the range of a double");
+  if (std::isnan(x)) throw refuse("is not a number");
+  return x;
+}
+
+std::vector<Line> data_lines(std::istream& in, const std::string& name, std::string_view expected) {
+  std::vector<Line> lines;
+  std::string text;
+  for (std::size_t number = 1; std::getline(in, text); ++number) {
+    const std::string_view content = trimmed(text);
+    if (content.empty() || content.starts_with('#')) continue;
+    lines.push_back({name + ':' + std::to_string(number), std::string(content)});
+  }
+  if (in.bad()) throw BadInput(name + ": cannot be read; expected " + std::string(expected));
+  if (lines.empty()) throw BadInput(name + ": no values; expected " + std::string(expected));
+  return lines;
+}
+
+}  // namespace cli

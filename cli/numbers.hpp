@@ -1,0 +1,29 @@
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cli {
+
+/// A value as an error message shows it: in quotes, on one line, control characters as \xNN, shortened if
+/// long.
+std::string in_quotes(std::string_view value);
+
+/// A number from text such as "0.5", "1e-3", "+2" or "inf", with nothing but spaces around it.
+/// Throws BadInput, "SOURCE: VALUE is ...; expected EXPECTED", where it is no number, a NaN, too large or too
+/// small for a double.
+double to_number(std::string_view text, std::string_view source, std::string_view expected);
+
+/// A line of input and where it stood, such as "standard input:3".
+struct Line {
+  std::string source;
+  std::string text;
+};
+
+/// The lines of a stream without blank ones and without comments (first character '#').
+/// Throws BadInput where the stream cannot be read or holds no line of data.
+std::vector<Line> data_lines(std::istream& in, const std::string& name, std::string_view expected);
+
+}  // namespace cli
