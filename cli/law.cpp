@@ -4,6 +4,7 @@
 
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -18,7 +19,7 @@ namespace cli {
 namespace {
 
 constexpr const char* description =
-    "The friction law of a circular contact patch that slides and spins.\n\n"
+    "The friction law: potential, force and torque of a contact patch that slides and spins.\n\n"
     "A patch of radius R is pressed on with the force lambda_N, slides with the velocity v and spins with "
     "the angular\n"
     "velocity omega. How much of the friction mu lambda_N resists sliding and how much resists spinning "
@@ -33,7 +34,7 @@ constexpr const char* description =
     "    eta  = |lambda_tau|/(mu lambda_N) = |tau_N|/(mu lambda_N R)     friction torque\n"
     "As u grows xi rises from 0 to 1 and eta falls to 0: spin takes the friction away from sliding. At rest "
     "(v = 0 and\n"
-    "omega = 0) friction is the whole set bounded by the curve (xi, eta), and no u stands for it.";
+    "omega = 0) friction is the whole set bounded by the curve (xi, eta), and no u stands for it.\n";
 
 constexpr const char* examples =
     "Examples:\n"
@@ -51,7 +52,7 @@ struct LawOptions {
   std::string pressure;
   std::string model = "exact";
   std::vector<std::string> u;
-  std::string out;
+  std::optional<std::string> out;
 };
 
 double to_slip_ratio(const std::string& text, const std::string& source) {
@@ -131,10 +132,7 @@ void run(const LawOptions& options) {
 }  // namespace
 
 void add_law(CLI::App& program) {
-  CLI::App* law =
-      program.add_subcommand("law", "The friction law: potential, force and torque over the slip ratio u");
-  law->description(description);
-  law->get_formatter()->column_width(26);
+  CLI::App* law = program.add_subcommand("law", description);
 
   const auto options = std::make_shared<LawOptions>();
   law->add_option("--pressure", options->pressure,

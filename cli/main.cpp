@@ -2,7 +2,12 @@
 // into one line on standard error and an exit status.
 
 #include <iostream>
+#include <memory>
+#include <span>
+#include <sstream>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "numbers.hpp"
 #include "subcommand.hpp"
@@ -25,26 +30,61 @@ std::string on_one_line(std::string text) {
   return text;
 }
 
+/// What is wrong with an argument that nothing on the command line takes.
+std::string explain_stray(const CLI::App& program, const std::string& stray, const std::string& help) {
+  if (cli::is_number(stray))
+    return "argument " + in_quotes(stray) + " is negative or NaN; expected a number >= 0 or inf";
+  if (stray.starts_with('-')) return in_quotes(stray) + " is not an option" + help;
+  if (!program.get_subcommands().empty()) return in_quotes(stray) + " was not expected" + help;
+  std::string names;
+  for (const CLI::App* subcommand : program.get_subcommands({})) names += ' ' + subcommand->get_name();
+  return in_quotes(stray) + " is not a subcommand; expected one of:" + names;
+}
+
 /// CLI11's error in the words of this program: the value, and what was expected.
 std::string explain(const CLI::App& program, const CLI::ParseError& error) {
   const std::string help = "; see " + full_name(program) + " --help";
-  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
-    const std::string stray = program.remaining(true).front();
-    if (stray.starts_with('-')) return in_quotes(stray) + " is not an option" + help;
-    if (!program.get_subcommands().empty()) return in_quotes(stray) + " was not expected" + help;
-    std::string names;
-    for (const CLI::App* subcommand : program.get_subcommands({})) names += ' ' + subcommand->get_name();
-    return in_quotes(stray) + " is not a subcommand; expected one of:" + names;
+  const std::vector<std::string> strays = program.remaining(true);
+  if (!strays.empty()) return explain_stray(program, strays.front(), help);
+
+  const std::string what = on_one_line(error.what());
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
+    return what.substr(0, what.find(':')) + ": expected exactly one value" + help;
   }
-  return on_one_line(error.what()) + help;
+  return what + help;
 }
+
+/// CLI11 would quietly take "[1,2]" for the two values 1 and 2; here a value is what it says.
+void refuse_lists(int argc, char** argv) {
+  for (const std::string_view argument :
+       std::span(argv, static_cast<std::size_t>(argc)).subspan(argc > 0 ? 1 : 0)) {
+    if (argument.starts_with('[') && argument.ends_with(']')) {
+      throw cli::BadInput("argument " + in_quotes(argument) +
+                          " is a list in brackets; expected single values");
+    }
+  }
+}
+
+/// Lists each subcommand by the first line of its description.
+class Formatter : public CLI::Formatter {
+ public:
+  Formatter() { column_width(26); }
+
+  std::string make_subcommand(const CLI::App* subcommand) const override {
+    const std::string description = subcommand->get_description();
+    std::ostringstream line;
+    CLI::detail::format_help(line, subcommand->get_name(), description.substr(0, description.find('\n')),
+                             get_column_width());
+    return line.str();
+  }
+};
 
 int run(int argc, char** argv) {
   CLI::App program(
       "Coulomb-Contensou friction: how sliding and spinning share the friction of a contact patch.",
       "contensou");
   program.set_version_flag("--version", "contensou " CONTENSOU_VERSION, "Print the version and exit");
-  program.get_formatter()->column_width(26);
+  program.formatter(std::make_shared<Formatter>());
   program.footer(
       "The laws are those of R.I. Leine, Ch. Glocker, A set-valued force law for spatial Coulomb-Contensou "
       "friction,\n"
@@ -59,6 +99,7 @@ int run(int argc, char** argv) {
     return status;
   };
   try {
+    refuse_lists(argc, argv);
     program.parse(argc, argv);
     if (program.get_subcommands().empty()) {
       std::cerr << program.help();

@@ -1,6 +1,5 @@
 #include "numbers.hpp"
 
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <istream>
@@ -16,6 +15,22 @@ std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(blanks);
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+struct Parsed {
+  bool complete;  // all of the text is one number
+  bool in_range;  // that a double can hold
+  double value;
+};
+
+Parsed parse(std::string_view text) {
+  std::string_view number = trimmed(text);
+  if (number.starts_with('+') && !number.starts_with("+-"))
+    number.remove_prefix(1);  // from_chars knows no '+'
+  double x = 0;
+  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), x);
+  return {error != std::errc::invalid_argument && end == number.data() + number.size(),
+          error != std::errc::result_out_of_range, x};
 }
 
 }  // namespace
@@ -35,23 +50,17 @@ std::string in_quotes(std::string_view value) {
   return shown + (value.size() > longest ? "...\"" : "\"");
 }
 
+bool is_number(std::string_view text) { return parse(text).complete; }
+
 double to_number(std::string_view text, std::string_view source, std::string_view expected) {
-  const auto refuse = [&](std::string_view what) -> BadInput {
+  const auto refuse = [&](std::string_view what) {
     return BadInput(std::string(source) + ": " + in_quotes(text) + ' ' + std::string(what) + "; expected " +
                     std::string(expected));
   };
-  std::string_view number = trimmed(text);
-  if (number.starts_with('+') && !number.starts_with("+-"))
-    number.remove_prefix(1);  // from_chars knows no '+'
-
-  double x = 0;
-  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), x);
-  if (end != number.data() + number.size() || error == std::errc::invalid_argument) {
-    throw refuse("is not a number");
-  }
-  if (error == std::errc::result_out_of_range) throw refuse("is out of the range of a double");
-  if (std::isnan(x)) throw refuse("is not a number");
-  return x;
+  const Parsed parsed = parse(text);
+  if (!parsed.complete || std::isnan(parsed.value)) throw refuse("is not a number");
+  if (!parsed.in_range) throw refuse("is out of the range of a double");
+  return parsed.value;
 }
 
 std::vector<Line> data_lines(std::istream& in, const std::string& name, std::string_view expected) {

@@ -11,6 +11,9 @@ namespace cli {
 /// long.
 std::string in_quotes(std::string_view value);
 
+/// Whether the whole text reads as a number, NaN and numbers out of range included.
+bool is_number(std::string_view text);
+
 /// A number from text such as "0.5", "1e-3", "+2" or "inf", with nothing but spaces around it.
 /// Throws BadInput, "SOURCE: VALUE is ...; expected EXPECTED", where it is no number, a NaN, too large or too
 /// small for a double.

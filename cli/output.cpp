@@ -14,26 +14,27 @@ namespace {
 void write_to_standard_output(const std::string& text) {
   const bool written =
       std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
-  if (!written)
+  if (!written) {
     throw std::runtime_error("standard output: cannot be written: " + std::string(std::strerror(errno)));
+  }
 }
 
 }  // namespace
 
-void deliver(const contensou::Table& table, const std::string& out) {
-  if (out.empty()) return write_to_standard_output(contensou::to_text(table));
+void deliver(const contensou::Table& table, const std::optional<std::string>& out) {
+  if (!out) return write_to_standard_output(contensou::to_text(table));
 
   // A file is replaced by renaming, which must not happen to a folder or to a device such as /dev/null.
   std::error_code error;
-  const auto status = std::filesystem::status(out, error);
+  const auto status = std::filesystem::status(*out, error);
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
-    throw BadInput("--out: " + in_quotes(out) +
+    throw BadInput("--out: " + in_quotes(*out) +
                    " is not a regular file; expected the name of a file to write");
   }
   try {
-    contensou::write_table(table, out);
+    contensou::write_table(table, *out);
   } catch (const std::runtime_error&) {
-    throw BadInput("--out: " + in_quotes(out) + " cannot be written; expected the name of a file to write");
+    throw BadInput("--out: " + in_quotes(*out) + " cannot be written; expected the name of a file to write");
   }
 }
 

@@ -1,14 +1,15 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "contensou/output/table.hpp"
 
 namespace cli {
 
-/// Writes a finished table to standard output, or, where `out` is not empty, to that file: all of it or
+/// Writes a finished table to standard output, or, where `out` is given, to that file: all of it or
 /// nothing. Throws BadInput where `out` is no place for a file, std::runtime_error where standard output does
 /// not take it.
-void deliver(const contensou::Table& table, const std::string& out);
+void deliver(const contensou::Table& table, const std::optional<std::string>& out);
 
 }  // namespace cli
