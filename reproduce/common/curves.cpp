@@ -1,0 +1,66 @@
+#include "curves.hpp"
+
+#include <cstdio>
+#include <exception>
+#include <string_view>
+#include <utility>
+
+namespace reproduce {
+
+std::vector<Direction> quarter_turn(int n) {
+  std::vector<Direction> directions;
+  for (int k = 0; k <= n; ++k) {
+    const double v = static_cast<double>(k) / n;
+    directions.push_back({v, 1 - v});
+  }
+  return directions;
+}
+
+std::vector<Direction> whole_turn(int n) {
+  std::vector<Direction> directions;
+  // Each quarter is the first one turned by 90°: (v, s) -> (s, −v).
+  Direction (*const turned[])(Direction) = {[](Direction d) { return d; },
+                                            [](Direction d) {
+                                              return Direction{d.s, -d.v};
+                                            },
+                                            [](Direction d) {
+                                              return Direction{-d.v, -d.s};
+                                            },
+                                            [](Direction d) {
+                                              return Direction{-d.s, d.v};
+                                            }};
+  for (const auto turn : turned) {
+    for (const Direction& d : quarter_turn(n)) {
+      if (d.v < 1) directions.push_back(turn(d));  // (1, 0) begins the next quarter
+    }
+  }
+  directions.push_back({0, 1});
+  return directions;
+}
+
+contensou::Table curve_table(const std::string& figure, const std::string& what, const std::string& units,
+                             const std::string& law, std::vector<std::string> columns) {
+  return {{"Figure " + figure.substr(0, 1) + ": " + what, "units: " + units, "law: " + law,
+           "command: cmake --build build --target fig0" + figure.substr(0, 1)},
+          std::move(columns),
+          {}};
+}
+
+int figure_main(int argc, char** argv, void (*write)(const std::filesystem::path& folder)) {
+  std::filesystem::path folder = "build/report/data";
+  if (argc == 3 && std::string_view(argv[1]) == "--out") {
+    folder = argv[2];
+  } else if (argc != 1) {
+    std::fprintf(stderr, "usage: %s [--out FOLDER]\n", argv[0]);
+    return 2;
+  }
+  try {
+    write(folder);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s: %s\n", argv[0], error.what());
+    return 1;
+  }
+  return 0;
+}
+
+}  // namespace reproduce

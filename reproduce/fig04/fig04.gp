@@ -1,0 +1,20 @@
+# Figure 4: the friction ball B_F, uniform pressure.
+load style
+
+call mesh data."/fig04.tsv" "meridian" "lambda_t1" "lambda_t2" "lambda_tau"
+
+eval panel("fig04", 480, 420)
+eval space
+set view 66, 34, 1.2
+set view equal xyz
+set xyplane at -0.8
+set xrange [-1.1:1.1]; set yrange [-1.1:1.1]; set zrange [-0.8:0.8]
+set xtics -1,1,1 offset 0,-0.3; set ytics -1,1,1 offset 0.4,-0.2; set ztics ("−⅔" -2.0/3, "0" 0, "⅔" 2.0/3)
+set xlabel "{/:Italic λ}_{/:Italic T}_1/({/:Italic μλ_N})" offset 0,-0.6
+set ylabel "{/:Italic λ}_{/:Italic T}_2/({/:Italic μλ_N})" offset -2.0,-0.6
+set label 1 "{/:Italic λ_τ}/({/:Italic μλ_N})" at -1.1,-1.1,1.0 center
+set border 31 linewidth 0.6
+set palette defined (0 '#dcebf5', 1 '#5aa2cf')
+unset colorbox
+set pm3d depthorder border linecolor rgb '#2b5f80' linewidth 0.4
+splot $mesh using 1:2:3 with pm3d

@@ -1,0 +1,41 @@
+find_program(GNUPLOT gnuplot)
+if(NOT GNUPLOT)
+  message(WARNING "gnuplot not found (Debian: gnuplot-nox): the figures cannot be drawn")
+  set(GNUPLOT gnuplot)
+endif()
+
+add_library(reproduce_common STATIC common/curves.cpp)
+target_link_libraries(reproduce_common PUBLIC contensou PRIVATE contensou_options)
+
+set(figure_files "")
+
+# contensou_figure(NAME DATA names... DRAWINGS names...): NAME/NAME.cpp writes the tables, NAME/NAME.gp draws them.
+function(contensou_figure name)
+  cmake_parse_arguments(arg "" "" "DATA;DRAWINGS" ${ARGN})
+  list(TRANSFORM arg_DATA PREPEND ${report_data}/ OUTPUT_VARIABLE tables)
+  list(TRANSFORM tables APPEND .tsv)
+  list(TRANSFORM arg_DRAWINGS PREPEND ${report_figures}/ OUTPUT_VARIABLE drawings)
+  list(TRANSFORM drawings APPEND .svg)
+
+  add_executable(figure_${name} ${name}/${name}.cpp)
+  target_link_libraries(figure_${name} PRIVATE reproduce_common contensou_options)
+  add_custom_command(OUTPUT ${tables}
+    COMMAND figure_${name} --out ${report_data}
+    COMMENT "Figure ${name}: curves" VERBATIM)
+  add_custom_command(OUTPUT ${drawings}
+    COMMAND ${CMAKE_COMMAND} -E make_directory ${report_figures}
+    COMMAND ${GNUPLOT} -e "style='${CMAKE_CURRENT_SOURCE_DIR}/style.gp'; mesh='${CMAKE_CURRENT_SOURCE_DIR}/common/mesh.gp'; data='${report_data}'; figures='${report_figures}'"
+            ${CMAKE_CURRENT_SOURCE_DIR}/${name}/${name}.gp
+    DEPENDS ${tables} ${name}/${name}.gp style.gp common/mesh.gp
+    COMMENT "Figure ${name}: drawing" VERBATIM)
+  add_custom_target(${name} DEPENDS ${drawings})
+  set(figure_files ${figure_files} ${tables} ${drawings} PARENT_SCOPE)
+endfunction()
+
+contensou_figure(fig01 DATA fig01 fig01_curves fig01_lines DRAWINGS fig01)
+contensou_figure(fig02 DATA fig02a fig02b DRAWINGS fig02a fig02b)
+contensou_figure(fig03 DATA fig03a fig03b fig03b_printed DRAWINGS fig03a fig03b)
+contensou_figure(fig04 DATA fig04 DRAWINGS fig04)
+contensou_figure(fig05 DATA fig05a fig05b DRAWINGS fig05a fig05b)
+contensou_figure(fig06 DATA fig06a fig06a_set fig06b fig06b_set DRAWINGS fig06a fig06b)
+add_custom_target(figures DEPENDS fig01 fig02 fig03 fig04 fig05 fig06)
