@@ -2,47 +2,69 @@
 
 #include <array>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "contensou/law/friction_law.hpp"
+#include "contensou/law/slip_ratio.hpp"
 
 namespace contensou {
 
-/// What a compiled law approximates: the bounded forms of a law that depends on u = v/s only.
-/// For v <= s (x = v/s): force = ξ/x, torque = η, second = f''.
-/// For v > s (x = s/v): force = ξ, torque = η/x, second = u³ f''.
-/// All three are positive and bounded away from zero on 0 <= x <= 1, which is what makes a relative bound possible.
-struct BoundedForm {
-  double force;
-  double torque;
-  double second;
-};
-
-/// A law as piecewise polynomials in x = min(v, s)/max(v, s), refined until the stated bound is met.
+/// A law as piecewise polynomials in x = min(v, s)/max(v, s) below ½ and in 1 − x above, refined until the
+/// tolerance is met. Relative accuracy as `error_bound` says; evaluation takes a look-up and two polynomials
+/// of degree 15.
 class CompiledLaw {
  public:
-  /// `inner(u)` and `outer(w)` give the law at v/s = u and s/v = w in [0, 1].
-  /// `tolerance`: the relative error aimed at in force and torque, at least 4e-16.
-  /// `breaks`: values of u = v/s > 0 where the law is known to be less smooth (u = 1 is always one).
-  CompiledLaw(const std::function<BoundedForm(double)>& inner, const std::function<BoundedForm(double)>& outer,
-              Extent extent, double tolerance, const std::vector<double>& breaks = {});
+  using Form = std::function<BoundedForm(SlipRatio)>;
+
+  /// `inner` and `outer` give the law for v <= s and for v > s.
+  /// `tolerance`: the relative error aimed at in ξ and η, 4e-16 to 1; second derivatives may be 1000 times
+  /// worse. `breaks`: values of u = v/s > 0 where the law is known to be less smooth (u = 1 is always one).
+  /// Throws std::invalid_argument for a tolerance out of range, std::runtime_error where the law is noise at
+  /// it.
+  CompiledLaw(const Form& inner, const Form& outer, Extent extent, double tolerance,
+              const std::vector<double>& breaks = {});
 
   Friction at(double v, double s) const;
   Curvature curvature(double v, double s) const;
   Extent extent() const { return extent_; }
 
-  /// The largest relative difference to the compiled law in ξ and η that was seen on points between the nodes.
+  /// The largest relative difference to the law it was made from, in ξ and η, seen on points between the
+  /// nodes.
   double error_bound() const { return error_bound_; }
   /// The number of polynomial pieces, for the record.
-  std::size_t pieces() const { return inner_.size() + outer_.size(); }
-
-  struct Piece;
+  std::size_t pieces() const;
 
  private:
-  std::vector<Piece> inner_;
-  std::vector<Piece> outer_;
+  static constexpr int terms = 16;
+  /// Polynomials in t = (position − center)/half_width, lowest power first, for force, torque and second.
+  struct Piece {
+    double center;
+    double inverse_half_width;
+    std::array<std::array<double, terms>, 3> coefficients;
+  };
+  /// Pieces that cover positions 0 to ½, with their left ends for look-up.
+  struct Half {
+    std::vector<double> left;
+    std::vector<Piece> pieces;
+  };
+  /// Position is x in the far half (x <= ½), which resolves laws that are narrow in u, and the gap 1 − x in
+  /// the near half, which resolves the seam u = 1.
+  struct Side {
+    Half far;
+    Half near;
+    std::pair<const Piece&, double> find(SlipRatio ratio) const;  ///< the piece and its t
+    BoundedForm at(SlipRatio ratio) const;  ///< force and torque only; second is left zero
+    double second(SlipRatio ratio) const;
+  };
+
+  Half compile(const std::function<BoundedForm(double)>& form, std::vector<double> breaks, double tolerance);
+  Side compile_side(const Form& form, const std::vector<double>& breaks, double tolerance);
+
   Extent extent_;
   double error_bound_ = 0;
+  Side inner_;
+  Side outer_;
 };
 
 }  // namespace contensou

@@ -8,27 +8,34 @@ namespace contensou {
 ///
 /// With κ = 1 − (min(v,s)/max(v,s))² every quantity is a multiple of
 ///   J_jp(κ) = (2/π) ∫_0^∞ sinh^{2j}z (1 + κ sinh²z)^p cosh^{−(2n+4)}z dz,
-/// whose integrand is positive and analytic in |Im z| < π/2 for every κ, so that the trapezoidal rule converges
-/// geometrically up to and at u = 1. It follows from LG03 (3.6) (corrected) by doing the radial integral along each
-/// chord through the pole in closed form (Beta functions).
-struct PowerQuadrature {
+/// whose integrand is positive and analytic in |Im z| < π/2 for every κ, so that the trapezoidal rule
+/// converges geometrically up to and at u = 1. It follows from LG03 (3.6) (corrected) by doing the radial
+/// integral along each chord through the pole in closed form (Beta functions).
+class PowerQuadrature {
+ public:
   /// Valid for -1 < n <= 1e6; throws std::invalid_argument otherwise.
   explicit PowerQuadrature(double n);
   Friction at(double v, double s) const;
   Curvature curvature(double v, double s) const;
-  Extent extent() const { return {1.0, eta_max_}; }
+  Extent extent() const { return {1.0, eta_scale_}; }
   double n() const { return n_; }
+
+  /// The bounded forms at v/s = u and s/v = w in [0, 1].
+  BoundedForm inner(SlipRatio u) const;
+  BoundedForm outer(SlipRatio w) const;
 
  private:
   double n_;
-  double xi_scale_;  // (n+1) B(1/2, n+1)
-  double eta_scale_; // (n+1) B(3/2, n+1)
-  double eta_max_;
+  double xi_scale_;   // (n+1) B(1/2, n+1)
+  double eta_scale_;  // (n+1) B(3/2, n+1)
 };
 
 /// The same law, compiled once at construction: relative error at most 1e-13 in ξ and η for every n.
-struct PowerLaw : CompiledLaw {
+class PowerLaw : public CompiledLaw {
+ public:
+  /// -1 < n <= 1e6; throws std::invalid_argument otherwise. Takes some ten milliseconds.
   explicit PowerLaw(double n);
+  explicit PowerLaw(const PowerQuadrature& law);
 };
 
 }  // namespace contensou

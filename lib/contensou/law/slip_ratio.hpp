@@ -2,16 +2,67 @@
 
 #include <stdexcept>
 
+#include "contensou/law/friction_law.hpp"
+
 namespace contensou {
 
 /// The arguments at the door of every law: v, s >= 0, not both zero, not both infinite, no NaN.
 /// Throws std::domain_error otherwise.
 inline void require_slip(double v, double s) {
   if (!(v >= 0 && s >= 0)) throw std::domain_error("friction law: v and s must be numbers >= 0");
-  if (v == 0 && s == 0) throw std::domain_error("friction law: at v = s = 0 the friction is a set, not a number");
-  if (v == s && v > 1.7976931348623157e308) {
-    throw std::domain_error("friction law: v and s are both infinite, their ratio is not defined");
+  if (v == 0 && s == 0)
+    throw std::domain_error("friction law: at v = s = 0 the friction is a set, not a number");
+  if (v == s && std::isinf(v)) throw std::domain_error("friction law: v and s are both infinite");
+}
+
+/// What the laws that depend on u = v/s only are made of, each bounded and away from zero for x in [0, 1].
+/// Where v <= s (inner, x = v/s = u):     force = ξ/u, torque = η,   second = f''(u).
+/// Where v > s  (outer, x = s/v = w = 1/u): force = ξ,   torque = η u, second = u³ f''(u).
+struct BoundedForm {
+  double force;
+  double torque;
+  double second;
+};
+
+/// min(v, s)/max(v, s) and its distance from 1, the latter without cancellation: what a law looks like near u
+/// = 1 hangs on 1 − u, which x alone holds to 16 digits after the point only.
+struct SlipRatio {
+  double x;
+  double gap;  // 1 − x
+};
+
+inline SlipRatio slip_ratio(double smaller, double larger) {
+  if (std::isinf(larger)) return {0, 1};
+  return {smaller / larger, (larger - smaller) / larger};
+}
+
+/// ξ, η from a law's bounded forms (functions of SlipRatio; anything with members force and torque).
+template <class Inner, class Outer>
+Friction friction_from(double v, double s, const Inner& inner, const Outer& outer) {
+  require_slip(v, s);
+  if (v <= s) {
+    const SlipRatio u = slip_ratio(v, s);
+    const auto form = inner(u);
+    return {form.force * u.x, form.torque};
   }
+  const SlipRatio w = slip_ratio(s, v);
+  const auto form = outer(w);
+  return {form.force, form.torque * w.x};
+}
+
+/// Second derivatives of s f(v/s) from f''(u) inside and u³ f''(u) outside; no intermediate overflows before
+/// the result.
+template <class Inner, class Outer>
+Curvature curvature_from(double v, double s, const Inner& second_inner, const Outer& second_outer) {
+  require_slip(v, s);
+  if (v <= s) {
+    const SlipRatio u = slip_ratio(v, s);
+    const double vv = second_inner(u) / s;
+    return {vv, -u.x * vv, u.x * u.x * vv};
+  }
+  const SlipRatio w = slip_ratio(s, v);
+  const double ss = second_outer(w) / v;
+  return {w.x * w.x * ss, -w.x * ss, ss};
 }
 
 }  // namespace contensou

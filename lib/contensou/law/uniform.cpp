@@ -3,6 +3,7 @@
 #include <boost/math/special_functions/ellint_rd.hpp>
 #include <numbers>
 
+#include "contensou/law/power.hpp"
 #include "contensou/law/slip_ratio.hpp"
 
 namespace contensou {
@@ -10,7 +11,9 @@ namespace {
 
 constexpr double four_over_3pi = 4 / (3 * std::numbers::pi);
 
-struct BD { double b, d; };
+struct BD {
+  double b, d;
+};
 BD elliptic_bd(double mc) {
   return {mc * boost::math::ellint_rd(0.0, 1.0, mc) / 3, boost::math::ellint_rd(0.0, mc, 1.0) / 3};
 }
@@ -24,7 +27,8 @@ Friction UniformLaw::at(double v, double s) const {
     const double u = v / s;
     const double mc = ((s - v) / s) * (1 + u);
     const auto [b, d] = elliptic_bd(mc);
-    return {four_over_3pi * u * (2 * b + mc * d), four_over_3pi / 3 * ((3 - u * u) * b + mc * (3 - 2 * u * u) * d)};
+    return {four_over_3pi * u * (2 * b + mc * d),
+            four_over_3pi / 3 * ((3 - u * u) * b + mc * (3 - 2 * u * u) * d)};
   }
   const double w = s / v;
   const double mc = ((v - s) / v) * (1 + w);
@@ -34,8 +38,8 @@ Friction UniformLaw::at(double v, double s) const {
 }
 
 Curvature UniformLaw::curvature(double v, double s) const {
-  require_slip(v, s);
-  return {};
+  static const PowerLaw law(0.0);
+  return law.curvature(v, s);
 }
 
 }  // namespace contensou
