@@ -1,0 +1,116 @@
+#include "contensou/law/force.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "contensou/law/number_text.hpp"
+
+namespace contensou::detail {
+namespace {
+
+double checked(const char* name, double x) {
+  if (!(x >= 0 && std::isfinite(x))) {
+    throw std::invalid_argument(std::string(name) + " " + number_text(x) + ": expected a finite number >= 0");
+  }
+  return x;
+}
+
+/// The k with 2^k <= x < 2^(k+1), also for subnormal x; 0 for x = 0.
+int exponent_of(double x) { return x == 0 ? 0 : std::ilogb(x); }
+
+/// 2^exponent x; for x > 0 never zero: a law must be able to tell little slip from none.
+double scaled_speed(double x, int exponent) {
+  if (x == 0) return 0;
+  return std::max(std::ldexp(x, exponent), std::numeric_limits<double>::denorm_min());
+}
+
+/// factor 2^exponent with one rounding, and +0 for −0.
+double assembled(double factor, int exponent) { return std::ldexp(factor, exponent) + 0.0; }
+
+// Where ξ is below this part of its maximum the law is taken to be in its linear regime, where ξ/v and ∂ξ/∂v
+// agree to the same relative accuracy; ξ/v itself loses digits once ξ or v is subnormal.
+constexpr double linear_regime = 0x1p-500;
+
+}  // namespace
+
+ScaledLoad scaled(const Load& load) {
+  int mu_exponent = 0;
+  int lambda_exponent = 0;
+  const double mu = std::frexp(checked("friction coefficient mu", load.mu), &mu_exponent);
+  const double lambda = std::frexp(checked("normal force lambda_n", load.lambda_n), &lambda_exponent);
+  return {mu * lambda, mu_exponent + lambda_exponent};
+}
+
+ScaledSlip scaled(const SlipVelocity& gamma, bool free) {
+  if (!gamma.allFinite()) {
+    throw std::domain_error("slip velocity (" + number_text(gamma[0]) + ", " + number_text(gamma[1]) + ", " +
+                            number_text(gamma[2]) + "): expected finite numbers");
+  }
+  const double largest_t = std::max(std::abs(gamma[0]), std::abs(gamma[1]));
+  const double spin_speed = std::abs(gamma[2]);
+  // The tangential part has its own exponent, so that its length and direction do not suffer from being
+  // small.
+  const int exponent_t = exponent_of(largest_t);
+  const double t1 = std::ldexp(gamma[0], -exponent_t);
+  const double t2 = std::ldexp(gamma[1], -exponent_t);
+  const double length = std::hypot(t1, t2);
+  const int exponent = free ? exponent_of(std::max(largest_t, spin_speed)) : 0;
+
+  ScaledSlip slip{};
+  slip.v = scaled_speed(length, exponent_t - exponent);
+  slip.s = scaled_speed(spin_speed, -exponent);
+  slip.n1 = length > 0 ? t1 / length : 1.0;
+  slip.n2 = length > 0 ? t2 / length : 0.0;
+  slip.spin = gamma[2] > 0 ? 1.0 : gamma[2] < 0 ? -1.0 : 0.0;
+  slip.exponent = exponent;
+  return slip;
+}
+
+FrictionForce assemble_force(const ScaledLoad& load, const ScaledSlip& slip, const Friction& friction) {
+  const double tangential = -load.factor * friction.xi;
+  const double spin = -load.factor * friction.eta;
+  return {assembled(tangential * slip.n1, load.exponent), assembled(tangential * slip.n2, load.exponent),
+          assembled(spin * slip.spin, load.exponent)};
+}
+
+FrictionSet assemble_set(const ScaledLoad& load, const Extent& extent) {
+  return {assembled(load.factor * extent.xi, load.exponent),
+          assembled(load.factor * extent.eta, load.exponent)};
+}
+
+double assemble_potential(const ScaledLoad& load, int exponent, double reduced) {
+  if (load.factor == 0) return 0;
+  return assembled(load.factor * reduced, load.exponent + exponent);
+}
+
+Eigen::Matrix3d assemble_hessian(const ScaledLoad& load, const ScaledSlip& slip, const Friction& friction,
+                                 const Curvature& curvature, const Extent& extent) {
+  const double radial = curvature.vv;
+  const double transverse = friction.xi < linear_regime * extent.xi ? radial : friction.xi / slip.v;
+  const double mixed = curvature.vs * slip.spin;
+  if (!std::isfinite(radial) || !std::isfinite(transverse) || !std::isfinite(curvature.ss)) {
+    throw std::domain_error("hessian: the potential of this law has no second derivative here");
+  }
+  const auto [n1, n2] = std::pair{slip.n1, slip.n2};
+  const auto entry = [&](double value) {
+    return assembled(load.factor * value, load.exponent - slip.exponent);
+  };
+  const double off = entry(n1 * n2 * (radial - transverse));
+  const double m1 = entry(mixed * n1);
+  const double m2 = entry(mixed * n2);
+  Eigen::Matrix3d h;
+  h << entry(radial * n1 * n1 + transverse * n2 * n2), off, m1,  //
+      off, entry(radial * n2 * n2 + transverse * n1 * n1), m2,   //
+      m1, m2, entry(curvature.ss);
+  return h;
+}
+
+void no_derivative_at_rest() {
+  throw std::domain_error("hessian: at rest the friction is a set and the potential has no derivative");
+}
+
+}  // namespace contensou::detail
