@@ -5,6 +5,7 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <variant>
 #include <vector>
@@ -103,6 +104,13 @@ std::string equations(const LawOptions& options) {
   return "sigma ~ (1 - rho^2/R^2)^" + contensou::to_text(n) + ", LG03 (2.1) integrated";
 }
 
+std::string indented(const std::string& lines) {
+  std::string text;
+  std::istringstream in(lines);
+  for (std::string line; std::getline(in, line);) text += "  " + line + '\n';
+  return text;
+}
+
 void run(const LawOptions& options) {
   const contensou::AnyLaw law = chosen_law(options);
   const std::vector<double> values = slip_ratios(options.u);
@@ -148,7 +156,7 @@ void add_law(CLI::App& program) {
   law->add_option("U", options->u,
                   "Values of u, each in [0, inf]; where none is given, one\na line from standard input")
       ->option_text("...");
-  law->footer("Models:\n" + contensou::model_help() + "\n" + examples);
+  law->footer("Models:\n" + indented(contensou::model_help()) + '\n' + examples);
   law->callback([options] { run(*options); });
 }
 

@@ -1,0 +1,50 @@
+# Installs the library under a folder of its own, builds the example there as a stranger's project would, runs it, and looks
+# at what it links.
+function(run)
+  execute_process(COMMAND ${ARGV} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "status ${status} from: ${ARGV}\n${output}")
+  endif()
+  set(output "${output}" PARENT_SCOPE)
+endfunction()
+
+file(REMOVE_RECURSE ${folder})
+run(${CMAKE_COMMAND} --install ${build} --prefix ${folder}/prefix)
+
+# The README shows the very files that are built here; see readme.sh.
+file(COPY ${source}/tests/install/example DESTINATION ${folder})
+run(${CMAKE_COMMAND} -S ${folder}/example -B ${folder}/build -G ${generator} -D CMAKE_PREFIX_PATH=${folder}/prefix
+  -D CMAKE_CXX_COMPILER=${compiler} -D CMAKE_CXX_FLAGS=${flags})
+file(STRINGS ${folder}/build/CMakeCache.txt found REGEX "^contensou_DIR:")
+if(NOT found MATCHES "=${folder}/prefix/")
+  message(FATAL_ERROR "found another installation: ${found}")
+endif()
+run(${CMAKE_COMMAND} --build ${folder}/build)
+
+# Hertz pressure, u = 2, by hand: xi = 9 sqrt(3)/16, eta = (3/64)(4pi - 6 sqrt(3)), times mu lambda_N = 3 N.
+run(${folder}/build/example)
+set(expected "lambda_T1 = -2.92284 N, tau_N = -0.305728 N times R\n")
+if(NOT output STREQUAL expected)
+  message(FATAL_ERROR "the example printed\n${output}expected\n${expected}")
+endif()
+
+# Neither the example nor the installed program links GSL, and what is exported names no library but Eigen.
+foreach(program IN ITEMS ${folder}/build/example ${folder}/prefix/bin/contensou)
+  run(ldd ${program})
+  if(output MATCHES "gsl")
+    message(FATAL_ERROR "${program} links GSL:\n${output}")
+  endif()
+endforeach()
+file(GLOB_RECURSE exported ${folder}/prefix/*.cmake)
+if(NOT exported)
+  message(FATAL_ERROR "nothing was exported")
+endif()
+foreach(file IN LISTS exported)
+  file(STRINGS ${file} links REGEX "INTERFACE_LINK_LIBRARIES|GSL|gsl|Boost")
+  foreach(line IN LISTS links)
+    if(NOT line MATCHES "^ *INTERFACE_LINK_LIBRARIES \"Eigen3::Eigen(;\\$<LINK_ONLY:>)*\"$")
+      message(FATAL_ERROR "${file} exports: ${line}")
+    endif()
+  endforeach()
+endforeach()
+message("installed, found, built, ran")
