@@ -1,0 +1,35 @@
+# The programs whose numbers the report is made of. A verification that fails must not keep the page from being made:
+# each is run by run_and_record.cmake, which notes the exit status in parts/status-NAME.tsv and always succeeds; the
+# verdict (the last step of `reproduce`, `verify`, `report`) then fails.
+#
+# They run one at a time on the terminal: their progress is seen, and the benchmark does not compete with them.
+file(GLOB_RECURSE reference_tables CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/reference_data/*.tsv)
+
+# contensou_run(PROGRAM COMMENT "...") makes the target run_PROGRAM; the status file's name goes into ${PROGRAM}_status.
+function(contensou_run program comment)
+  set(status ${report_data}/parts/status-${program}.tsv)
+  if(TARGET ${program})
+    add_custom_command(OUTPUT ${status}
+      COMMAND ${CMAKE_COMMAND} -Dname=${program} -Dprogram=$<TARGET_FILE:${program}> -Dfolder=${report_data}
+              -Dstatus=${status} -P ${CMAKE_CURRENT_SOURCE_DIR}/run_and_record.cmake
+      DEPENDS ${program} run_and_record.cmake ${reference_tables}
+      COMMENT "${comment}" USES_TERMINAL VERBATIM)
+  else()
+    add_custom_command(OUTPUT ${status}
+      COMMAND ${CMAKE_COMMAND} -Dname=${program} -Dprogram= -Dfolder=${report_data} -Dstatus=${status}
+              -P ${CMAKE_CURRENT_SOURCE_DIR}/run_and_record.cmake
+      DEPENDS run_and_record.cmake
+      COMMENT "${program} was not built: noted as not run" VERBATIM)
+  endif()
+  add_custom_target(run_${program} DEPENDS ${status})
+  set(${program}_status ${status} PARENT_SCOPE)
+endfunction()
+
+contensou_run(verify_quadrature "Verification: the definition (2.1) by adaptive quadrature")
+contensou_run(verify_ledger "Verification: every equation and claim of the paper")
+contensou_run(verify_plates "Verification: the friction plates")
+contensou_run(verify_accuracy "Verification: accuracy in ulp")
+contensou_run(bench_laws "Benchmark: what accuracy costs")
+
+set(verification_statuses
+  ${verify_quadrature_status} ${verify_ledger_status} ${verify_plates_status} ${verify_accuracy_status})

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "contensou/output/table.hpp"
+
+/// What the verification programs left behind, joined and judged.
+namespace report {
+
+struct ProgramStatus {
+  std::string program;
+  std::string status;  ///< "0" where all went well; another exit status, a signal, or "not built"
+  std::string seconds;
+};
+
+struct Evidence {
+  contensou::Table claims;  ///< all parts/claims-*.tsv
+  contensou::Table ledger;  ///< all parts/ledger-*.tsv
+  std::vector<ProgramStatus> programs;
+  /// One sentence for each reason why the whole is not as it should be; empty where it is.
+  std::vector<std::string> complaints;
+};
+
+/// Reads and joins the parts in `data`/parts. Claims are complained about where one fails, holds
+/// unexpectedly, or has the id of another; programs where they did not end with status 0; and it is a
+/// complaint if nothing was claimed at all.
+Evidence collect(const std::filesystem::path& data);
+
+/// How often each value stands in a column.
+std::map<std::string, int> tally(const contensou::Table& table, const std::string& column);
+
+}  // namespace report
