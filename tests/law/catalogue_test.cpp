@@ -31,7 +31,8 @@ TEST_CASE("Pressures by name", "[law][catalogue]") {
 TEST_CASE("A wrong pressure is named with what was expected", "[law][catalogue]") {
   CHECK_THROWS_WITH(pressure_exponent("power:-2"), "power:-2: expected power:N with N > -1");
   CHECK_THROWS_WITH(pressure_exponent("power:-1"), "power:-1: expected power:N with N > -1");
-  for (const char* text : {"power:", "power:x", "power:1x", "power: 1", "power:nan", "power:inf", "power:1e999", "power:0x1"}) {
+  for (const char* text :
+       {"power:", "power:x", "power:1x", "power: 1", "power:nan", "power:inf", "power:1e999", "power:0x1"}) {
     CAPTURE(text);
     CHECK_THROWS_WITH(pressure_exponent(text), std::string(text) + ": expected power:N with N > -1");
   }
@@ -62,7 +63,8 @@ TEST_CASE("Models by name", "[law][catalogue]") {
 }
 
 TEST_CASE("Every model has the semi-axes of the exact law", "[law][catalogue]") {
-  for (const char* model : {"exact", "series", "series:2", "ellipsoid", "decoupled", "pade", "pade2", "tanh:1e-3"}) {
+  for (const char* model :
+       {"exact", "series", "series:2", "ellipsoid", "decoupled", "pade", "pade2", "tanh:1e-3"}) {
     CAPTURE(model);
     CHECK(extent_eta(make_law("uniform", model)) == Approx(2. / 3).epsilon(1e-15));
     CHECK(extent_eta(make_law("hertz", model)) == Approx(3 * std::numbers::pi / 16).epsilon(1e-15));
@@ -75,17 +77,21 @@ TEST_CASE("Every model has the semi-axes of the exact law", "[law][catalogue]") 
 }
 
 TEST_CASE("A wrong model is named with what was expected", "[law][catalogue]") {
-  CHECK_THROWS_WITH(make_law("uniform", "elipsoid"),
-                    "elipsoid: expected exact, series, series:K, printed, ellipsoid, decoupled, pade, pade2 or tanh:EPS");
+  CHECK_THROWS_WITH(
+      make_law("uniform", "elipsoid"),
+      "elipsoid: expected exact, series, series:K, printed, ellipsoid, decoupled, pade, pade2 or tanh:EPS");
   CHECK_THROWS_WITH(make_law("power:1", "printed"),
                     "power:1: expected uniform or hertz, for which the paper prints formulas");
-  for (const char* model : {"series:0", "series:1001", "series:-3", "series:2.5", "series:", "series:x", "series:4 "}) {
+  for (const char* model :
+       {"series:0", "series:1001", "series:-3", "series:2.5", "series:", "series:x", "series:4 "}) {
     CAPTURE(model);
-    CHECK_THROWS_WITH(make_law("uniform", model), std::string(model) + ": expected series:K with a whole K from 1 to 1000");
+    CHECK_THROWS_WITH(make_law("uniform", model),
+                      std::string(model) + ": expected series:K with a whole K from 1 to 1000");
   }
   for (const char* model : {"tanh:0", "tanh:-1", "tanh:nan", "tanh:inf", "tanh:", "tanh:1 m"}) {
     CAPTURE(model);
-    CHECK_THROWS_WITH(make_law("uniform", model), std::string(model) + ": expected tanh:EPS with EPS > 0 in m/s");
+    CHECK_THROWS_WITH(make_law("uniform", model),
+                      std::string(model) + ": expected tanh:EPS with EPS > 0 in m/s");
   }
   CHECK_THROWS_AS(make_law("uniform", ""), std::invalid_argument);
   CHECK_THROWS_AS(make_law("power:-1", "series"), std::invalid_argument);

@@ -4,16 +4,14 @@
 #include <cmath>
 #include <limits>
 
+#include "doubles.hpp"
+
 using namespace contensou;
 
-namespace {
-constexpr double inf = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-}  // namespace
-
 TEST_CASE("A steel ball of 10 mm radius on a steel plane under 100 N", "[law][contact_radius]") {
-  // By hand, E = 210 GPa, nu = 0.3: E* = 210e9/(2 · 0.91) = 1.153846153846e11 Pa (= 1.5/1.3 · 1e11), ρ* = 0.01 m,
-  // R³ = 3 · 0.01 · 100/(4 · 1.153846...e11) = 6.5e-12 m³, R = 6.5^(1/3) 1e-4 m = 1.8662555784086241e-4 m.
+  // By hand, E = 210 GPa, nu = 0.3: E* = 210e9/(2 · 0.91) = 1.153846153846e11 Pa (= 1.5/1.3 · 1e11), ρ* =
+  // 0.01 m, R³ = 3 · 0.01 · 100/(4 · 1.153846...e11) = 6.5e-12 m³, R = 6.5^(1/3) 1e-4 m
+  // = 1.8662555784086241e-4 m.
   const ElasticBody ball{.radius = 0.01, .modulus = 210e9, .poisson = 0.3};
   const ElasticBody plane{.radius = inf, .modulus = 210e9, .poisson = 0.3};
   CHECK(effective_modulus(ball, plane) == Approx(1.5e11 / 1.3).epsilon(1e-15));
@@ -32,7 +30,8 @@ TEST_CASE("Limits and symmetries of the Hertz radius", "[law][contact_radius]") 
   CHECK(hertz_contact_radius({0.1, inf, 0}, rigid, 10) == 0);
   CHECK(hertz_contact_radius(soft, rigid, 3) == hertz_contact_radius(rigid, soft, 3));
   // R ∝ λ_N^{1/3}.
-  CHECK(hertz_contact_radius(soft, rigid, 8) == Approx(2 * hertz_contact_radius(soft, rigid, 1)).epsilon(1e-14));
+  CHECK(hertz_contact_radius(soft, rigid, 8) ==
+        Approx(2 * hertz_contact_radius(soft, rigid, 1)).epsilon(1e-14));
 }
 
 TEST_CASE("Relative radius of two balls, and of a ball in a hollow", "[law][contact_radius]") {
@@ -50,7 +49,8 @@ TEST_CASE("Relative radius of two balls, and of a ball in a hollow", "[law][cont
 TEST_CASE("Contact radius refuses what is no contact", "[law][contact_radius]") {
   const ElasticBody good{.radius = 1, .modulus = 1e9, .poisson = 0.3};
   const auto radius = [&](double r) { return ElasticBody{r, 1e9, 0.3}; };
-  for (const double r : {0.0, nan, -inf}) CHECK_THROWS_AS(relative_radius(good, radius(r)), std::invalid_argument);
+  for (const double r : {0.0, not_a_number, -inf})
+    CHECK_THROWS_AS(relative_radius(good, radius(r)), std::invalid_argument);
   // Conforming: two planes, a hollow of the same or a smaller radius, two hollows, a hollow on a plane.
   CHECK_THROWS_WITH(relative_radius(radius(inf), radius(inf)), Catch::Contains("conform"));
   CHECK_THROWS_WITH(relative_radius(radius(1), radius(-1)), Catch::Contains("conform"));
@@ -58,11 +58,12 @@ TEST_CASE("Contact radius refuses what is no contact", "[law][contact_radius]") 
   CHECK_THROWS_WITH(relative_radius(radius(1), radius(-0.5)), Catch::Contains("conform"));
   CHECK_THROWS_WITH(relative_radius(radius(-1), radius(-3)), Catch::Contains("conform"));
   CHECK_THROWS_WITH(relative_radius(radius(-1), radius(inf)), Catch::Contains("conform"));
-  for (const double e : {0.0, -1.0, nan}) CHECK_THROWS_AS(effective_modulus(good, {1, e, 0.3}), std::invalid_argument);
-  for (const double nu : {-1.0, 0.51, nan}) {
+  for (const double e : {0.0, -1.0, not_a_number})
+    CHECK_THROWS_AS(effective_modulus(good, {1, e, 0.3}), std::invalid_argument);
+  for (const double nu : {-1.0, 0.51, not_a_number}) {
     CHECK_THROWS_AS(effective_modulus(good, {1, 1e9, nu}), std::invalid_argument);
   }
-  for (const double force : {-1.0, inf, nan}) {
+  for (const double force : {-1.0, inf, not_a_number}) {
     CHECK_THROWS_AS(hertz_contact_radius(good, good, force), std::invalid_argument);
   }
   CHECK_THROWS_WITH(hertz_contact_radius(good, good, -2), Catch::Contains("normal force -2"));
