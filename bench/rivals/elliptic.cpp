@@ -36,6 +36,7 @@ struct Gsl {
     return gsl_sf_ellint_Kcomp_e(k, GSL_PREC_DOUBLE, &result) == 0 ? result.val : std::nan("");
   }
   static double e(double k) {
+    if (k == 1) return 1;  // where GSL reports a domain error
     gsl_sf_result result{};
     return gsl_sf_ellint_Ecomp_e(k, GSL_PREC_DOUBLE, &result) == 0 ? result.val : std::nan("");
   }

@@ -21,7 +21,8 @@ namespace rivals {
 extern const ClosedForm textbook_boost;
 /// The same with Boost's default policy, which computes in long double where that has more digits.
 extern const ClosedForm textbook_boost_promoted;
-/// K, E from gsl_sf_ellint_Kcomp, gsl_sf_ellint_Ecomp (GSL_PREC_DOUBLE).
+/// K, E from gsl_sf_ellint_Kcomp, gsl_sf_ellint_Ecomp (GSL_PREC_DOUBLE); E(1) = 1, which GSL takes for a
+/// domain error.
 extern const ClosedForm textbook_gsl;
 
 /// The forms in D = R_D(0, 1 − m, 1)/3 and B = (1 − m) R_D(0, 1, 1 − m)/3 with Carlson's R_D from Boost
