@@ -21,6 +21,7 @@ function(contensou_figure name)
   target_link_libraries(figure_${name} PRIVATE reproduce_common contensou_options)
   add_custom_command(OUTPUT ${tables}
     COMMAND figure_${name} --out ${report_data}
+    DEPENDS figure_${name}
     COMMENT "Figure ${name}: curves" VERBATIM)
   add_custom_command(OUTPUT ${drawings}
     COMMAND ${CMAKE_COMMAND} -E make_directory ${report_figures}

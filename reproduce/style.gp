@@ -44,7 +44,7 @@ set rmargin at screen 0.965
 set bmargin at screen 0.180
 set tmargin at screen 0.965
 set xlabel offset 0, 0.4
-set ylabel offset 1.2, 0
+set ylabel offset 1.8, 0
 
 # The frame of a panel in space: the view's scale sets the size.
 space = "unset lmargin; unset rmargin; unset bmargin; unset tmargin; set xlabel offset 0, 0; set ylabel offset 0, 0"

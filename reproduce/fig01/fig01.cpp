@@ -19,8 +19,8 @@ constexpr double rho = 0.78;                                // ρ/R of dA
 constexpr double phi = 19 * pi / 180;                       // φ of dA
 constexpr double spin_radius = 0.15, spin_end = 0.40 * pi;  // the arrow of ω
 
-void arc(Table& curves, const char* name, double x, double y, double radius, double from, double to) {
-  constexpr int pieces = 96;
+void arc(Table& curves, const char* name, double x, double y, double radius, double from, double to,
+         int pieces = 96) {
   for (int k = 0; k <= pieces; ++k) {
     const double angle = from + (to - from) * k / pieces;
     curves.add({name, x + radius * std::cos(angle), y + radius * std::sin(angle)});
@@ -29,10 +29,10 @@ void arc(Table& curves, const char* name, double x, double y, double radius, dou
 
 // dA: a cell of the (ρ, φ) grid around the point.
 void surface_element(Table& curves) {
-  constexpr double half_width = 0.035;
+  constexpr double half_width = 0.04;
   constexpr double half_angle = half_width / rho;
-  arc(curves, "element", 0, 0, rho + half_width, phi - half_angle, phi + half_angle);
-  arc(curves, "element", 0, 0, rho - half_width, phi + half_angle, phi - half_angle);
+  arc(curves, "element", 0, 0, rho + half_width, phi - half_angle, phi + half_angle, 8);
+  arc(curves, "element", 0, 0, rho - half_width, phi + half_angle, phi - half_angle, 8);
   const double a = phi - half_angle;
   curves.add({"element", (rho + half_width) * std::cos(a), (rho + half_width) * std::sin(a)});
 }
@@ -61,9 +61,11 @@ void write(const std::filesystem::path& folder) {
   const double radius_angle = 215 * pi / 180;
   lines.add({"R", 0.0, 0.0, std::cos(radius_angle), std::sin(radius_angle)});
   lines.add({"v", 0.0, 0.0, pole, 0.0});
-  // The head of the arrow that turns about e3: the end of the arc "omega" and its tangent.
-  lines.add({"omega", spin_radius * std::cos(spin_end), spin_radius * std::sin(spin_end),
-             -0.02 * std::sin(spin_end), 0.02 * std::cos(spin_end)});
+  // The head of the arrow that turns about e3: along the tangent at the end of the arc "omega".
+  const double head = 0.06;
+  lines.add({"omega", spin_radius * std::cos(spin_end) + head * std::sin(spin_end),
+             spin_radius * std::sin(spin_end) - head * std::cos(spin_end), -head * std::sin(spin_end),
+             head * std::cos(spin_end)});
   lines.add({"w", x, y, pole - y, x});  // ω e3 × (dA − pole) in units of ωR
   contensou::write_table(lines, folder / "fig01_lines.tsv");
 

@@ -29,7 +29,7 @@ set label 6 "{/:Italic φ}" at 0.36*cos(phi/2), 0.36*sin(phi/2) center offset 0,
 set label 7 "{/:Italic θ}" at 0.27*sin(theta/2), pole-0.27*cos(theta/2) center front
 set label 8 "d{/:Italic A}" at x, y left offset 1.0,-0.6 front
 set label 9 "{/:Bold γ}_{/:Italic T} = {/:Italic v} {/:Bold e}_1" at 0.5*pole, 0 center offset 0.6,-0.9 front textcolor rgb blue
-set label 10 "{/:Italic ω}" at -0.15, 0.08 right offset -0.3,0 front textcolor rgb blue
+set label 10 "{/:Italic ω}" at -0.10, 0.15 right offset -0.3,0 front textcolor rgb blue
 set label 11 "{/:Italic R}" at 0.6*cos(215*pi/180), 0.6*sin(215*pi/180) center offset -0.4,1.0 front
 set label 12 "{/:Bold w}" at x+(pole-y), y+x left offset 0.5,0.3 front textcolor rgb blue
 
@@ -47,7 +47,7 @@ plot curves using (on("disc", column("x"))):"y" with filledcurves closed fillcol
      lines using (is("rho", column("x"))):"y":"dx":"dy" with vectors nohead linestyle 9, \
      lines using (is("r", column("x"))):"y":"dx":"dy" with vectors nohead linestyle 9, \
      lines using (is("v", column("x"))):"y":"dx":"dy" with vectors arrowstyle 2, \
-     lines using (is("w", column("x"))):"y":"dx":"dy" with vectors arrowstyle 2, \
+     lines using (is("w", column("x"))):"y":"dx":"dy" with vectors head filled size screen 0.026,18 linecolor rgb blue linewidth 2.2, \
      curves using (on("omega", column("x"))):"y" with lines linecolor rgb blue linewidth 2.2, \
-     lines using (is("omega", column("x"))):"y":"dx":"dy" with vectors arrowstyle 2, \
+     lines using (is("omega", column("x"))):"y":"dx":"dy" with vectors head filled size screen 0.026,18 linecolor rgb blue linewidth 2.2, \
      data."/fig01.tsv" using (0):"pole" with points pointtype 7 pointsize 0.6 linecolor rgb ink

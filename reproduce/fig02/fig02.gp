@@ -23,9 +23,9 @@ splot $mesh using 1:2:3 with pm3d
 # (b) contour lines, and the two shapes the paper names, of the same width and height as the last contour.
 reset
 load style
-eval panel("fig02b", 480, 420)
+eval panel("fig02b", 440, 450)
 set size ratio -1
-set xrange [-1.45:1.45]; set yrange [-1.85:1.85]
+set xrange [-1.85:1.85]; set yrange [-1.85:1.85]
 set xtics 0.5; set ytics 0.5
 set xlabel "{/:Italic v} [m/s]"
 set ylabel "{/:Italic ωR} [m/s]"
@@ -33,7 +33,7 @@ set zeroaxis linestyle 8
 set label 1 "0.25" at 0, 0.375 center offset 0,0.5 front
 set label 2 "0.5"  at 0, 0.75 center offset 0,0.5 front
 set label 3 "0.75" at 0, 1.125 center offset 0,0.5 front
-set label 4 "Φ/({/:Italic μλ_N}) = 1 m/s" at 0, 1.5 center offset 0,0.5 front
+set label 4 "Φ/({/:Italic μλ_N}) = 1 m/s" at 0, 1.5 center offset 0,0.8 front
 
 set parametric
 set trange [0:2*pi]

@@ -2,7 +2,7 @@
 load style
 
 # (a) the friction disk
-eval panel("fig03a", 480, 420)
+eval panel("fig03a", 440, 450)
 set size ratio -1
 set xrange [-1.25:1.25]; set yrange [-1.25:1.25]
 set xtics 0.5; set ytics 0.5
@@ -16,7 +16,7 @@ plot data."/fig03a.tsv" using "lambda_t1":"lambda_t2" with filledcurves closed f
 # (b) the friction plate, with the seam at u = 1 magnified
 reset
 load style
-eval panel("fig03b", 480, 420)
+eval panel("fig03b", 440, 450)
 set multiplot
 set size ratio -1
 set xrange [-1.25:1.25]; set yrange [-1.25:1.25]
@@ -37,7 +37,8 @@ plot plate using "lambda_t":"lambda_tau" with filledcurves closed fillcolor rgb 
      plate using "lambda_t":"lambda_tau" with lines linestyle 1
 
 unset object; unset arrow; unset label; unset xlabel; unset ylabel; unset zeroaxis
-set lmargin at screen 0.391; set rmargin at screen 0.621; set bmargin at screen 0.443; set tmargin at screen 0.706
+# Where the frame of the inset comes to lie: 0.84 wide in the units of the plate about the origin.
+set lmargin at screen 0.431; set rmargin at screen 0.699; set bmargin at screen 0.4406; set tmargin at screen 0.7044
 set label 2 "exact" at graph 0.50, 0.72 left textcolor rgb blue front
 set label 3 "(2.18)" at graph 0.10, 0.30 left textcolor rgb vermilion front
 set object 2 rectangle from graph 0,0 to graph 1,1 fillcolor rgb 'white' fillstyle solid noborder behind

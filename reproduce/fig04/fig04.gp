@@ -9,7 +9,7 @@ set view 66, 34, 1.2
 set view equal xyz
 set xyplane at -0.8
 set xrange [-1.1:1.1]; set yrange [-1.1:1.1]; set zrange [-0.8:0.8]
-set xtics -1,1,1 offset 0,-0.3; set ytics -1,1,1 offset 0.4,-0.2; set ztics ("−⅔" -2.0/3, "0" 0, "⅔" 2.0/3)
+set xtics -1,1,1 offset 0,-0.3; set ytics -1,1,1 offset 0.4,-0.2; set ztics ("−2/3" -2.0/3, "0" 0, "2/3" 2.0/3)
 set xlabel "{/:Italic λ}_{/:Italic T}_1/({/:Italic μλ_N})" offset 0,-0.6
 set ylabel "{/:Italic λ}_{/:Italic T}_2/({/:Italic μλ_N})" offset -2.0,-0.6
 set label 1 "{/:Italic λ_τ}/({/:Italic μλ_N})" at -1.1,-1.1,1.0 center

@@ -5,7 +5,7 @@ eval panel("fig05a", 480, 380)
 set xrange [0:4]; set yrange [0:1.08]
 set xtics 1; set ytics 0.25
 set xlabel "{/:Italic u}"
-set ylabel "‖{/:Italic λ_T}‖/({/:Italic μλ_N})"
+set ylabel "‖{/:Italic λ_T}‖/({/:Italic μλ_N})" offset 2.0, 0
 set key bottom right Left reverse samplen 3 spacing 1.3 width -3
 plot 1 with lines linestyle 8, \
      data."/fig05a.tsv" using "u":"xi_uniform" with lines linestyle 1 title "uniform", \

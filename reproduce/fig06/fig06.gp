@@ -17,7 +17,7 @@ plot data."/fig06a_set.tsv" using "v":"minus_lambda_t" with lines linestyle 3 ti
 
 eval panel("fig06b", 480, 420)
 set yrange [-0.78:0.78]
-set ytics ("−⅔" -2.0/3, "−⅓" -1.0/3, "0" 0, "⅓" 1.0/3, "⅔" 2.0/3)
+set ytics ("−2/3" -2.0/3, "−1/3" -1.0/3, "0" 0, "1/3" 1.0/3, "2/3" 2.0/3)
 set xlabel "{/:Italic γ_τ} [m/s]"
 set ylabel "−{/:Italic λ_τ}/({/:Italic μλ_N})"
 set key title "{/:Italic v} [m/s]"
