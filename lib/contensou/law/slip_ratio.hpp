@@ -57,12 +57,12 @@ Curvature curvature_from(double v, double s, const Inner& second_inner, const Ou
   require_slip(v, s);
   if (v <= s) {
     const SlipRatio u = slip_ratio(v, s);
-    const double vv = second_inner(u) / s;
-    return {vv, -u.x * vv, u.x * u.x * vv};
+    const double f2 = second_inner(u);
+    return {f2 / s, -(u.x * f2) / s, (u.x * u.x * f2) / s};
   }
   const SlipRatio w = slip_ratio(s, v);
-  const double ss = second_outer(w) / v;
-  return {w.x * w.x * ss, -w.x * ss, ss};
+  const double g = second_outer(w);
+  return {(w.x * w.x * g) / v, -(w.x * g) / v, g / v};
 }
 
 }  // namespace contensou
