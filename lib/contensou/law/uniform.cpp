@@ -1,45 +1,64 @@
 #include "contensou/law/uniform.hpp"
 
-#include <boost/math/special_functions/ellint_rd.hpp>
-#include <numbers>
+#include <cmath>
 
-#include "contensou/law/power.hpp"
+#include "contensou/law/coefficients.hpp"
+#include "contensou/law/polynomial.hpp"
 #include "contensou/law/slip_ratio.hpp"
 
 namespace contensou {
 namespace {
 
-constexpr double four_over_3pi = 4 / (3 * std::numbers::pi);
+namespace c = coefficients;
 
-struct BD {
-  double b, d;
-};
-BD elliptic_bd(double mc) {
-  return {mc * boost::math::ellint_rd(0.0, 1.0, mc) / 3, boost::math::ellint_rd(0.0, mc, 1.0) / 3};
+constexpr auto inner_far = interleave(c::uniform_inner_force, c::uniform_inner_torque);
+constexpr auto outer_far = interleave(c::uniform_outer_force, c::uniform_outer_torque);
+constexpr auto near_seam = interleave(c::uniform_near_force, c::uniform_near_torque);
+constexpr auto near_seam_log = interleave(c::uniform_near_force_log, c::uniform_near_torque_log);
+
+/// The seam: for u in (3/4, 4/3) the laws are P(y) + y^k ln|y| Q(y) in y = (u − 1)/(u + 1), with the same analytic P and Q
+/// on both sides; further away they are power series in u² or 1/u².
+constexpr double seam = 0.75;
+
+/// y ln|y|, with its limit 0 at the seam itself.
+double y_log_y(double y) { return y == 0 ? 0 : y * std::log(std::abs(y)); }
+
+Friction at_seam(double y) {
+  const Lanes value = evaluate(near_seam, y) + y * y_log_y(y) * evaluate(near_seam_log, y);
+  return {value[0], value[1]};
+}
+
+double second_at_seam(double y) {
+  return evaluate(c::uniform_near_second, y) + y_log_y(y) * evaluate(c::uniform_near_second_log, y);
 }
 
 }  // namespace
 
 Friction UniformLaw::at(double v, double s) const {
-  require_slip(v, s);
-  if (v == s) return {8 * four_over_3pi / 4, four_over_3pi * 2 / 3};
-  if (v < s) {
-    const double u = v / s;
-    const double mc = ((s - v) / s) * (1 + u);
-    const auto [b, d] = elliptic_bd(mc);
-    return {four_over_3pi * u * (2 * b + mc * d),
-            four_over_3pi / 3 * ((3 - u * u) * b + mc * (3 - 2 * u * u) * d)};
+  if (v <= s) {
+    if (!(v >= 0 && s > 0 && (v < s || std::isfinite(s)))) require_slip(v, s);
+    const double u = std::isinf(s) ? 0 : v / s;
+    if (u > seam) return at_seam((v - s) / s / (1 + u));
+    const Lanes form = evaluate(inner_far, u * u);
+    return {form[0] * u, form[1]};
   }
+  if (!(s >= 0)) require_slip(v, s);
   const double w = s / v;
-  const double mc = ((v - s) / v) * (1 + w);
-  const auto [b, d] = elliptic_bd(mc);
-  const double c = w * w > 1e-8 ? (d - b) / (w * w) : std::numbers::pi / 16;
-  return {four_over_3pi * (2 * b + mc * d), four_over_3pi / 3 * w * (2 * b + mc * c)};
+  if (w > seam) return at_seam((v - s) / v / (1 + w));
+  const Lanes form = evaluate(outer_far, w * w);
+  return {form[0], form[1] * w};
 }
 
 Curvature UniformLaw::curvature(double v, double s) const {
-  static const PowerLaw law(0.0);
-  return law.curvature(v, s);
+  return curvature_from(
+      v, s,
+      [](SlipRatio u) {
+        return u.x > seam ? second_at_seam(-u.gap / (1 + u.x)) : evaluate(c::uniform_inner_second, u.x * u.x);
+      },
+      [](SlipRatio w) {
+        if (w.x <= seam) return evaluate(c::uniform_outer_second, w.x * w.x);
+        return second_at_seam(w.gap / (1 + w.x)) / (w.x * w.x * w.x);
+      });
 }
 
 }  // namespace contensou
