@@ -21,9 +21,9 @@
 namespace bench {
 namespace {
 
-/// Errors below this are beyond what a double can show (and a logarithmic axis): written as they are, ranked
-/// as equal.
-constexpr double error_floor = 1e-17;
+/// Errors below this are rounding in the last digits (about 4 units in the last place of 1): written as they
+/// are, ranked as equal.
+constexpr double rounding = 1e-15;
 
 struct Errors {
   double scaled = 0;    ///< the error of the table, see its header
@@ -102,16 +102,35 @@ struct Row {
 
 /// Nothing else of the same pressure is both at least as exact and faster (or as fast and more exact).
 bool on_front(const Row& row, const std::vector<Row>& rows, bool one_by_one) {
-  const double error = std::max(row.errors.scaled, error_floor);
+  const double error = std::max(row.errors.scaled, rounding);
   if (std::isnan(row.errors.scaled) || (one_by_one && !row.method->chain)) return false;
   return std::none_of(rows.begin(), rows.end(), [&](const Row& other) {
     if (other.method->pressure != row.method->pressure || (one_by_one && !other.method->chain)) return false;
-    const double its = std::max(other.errors.scaled, error_floor);
+    const double its = std::max(other.errors.scaled, rounding);
     return its <= error && other.seconds <= row.seconds && (its < error || other.seconds < row.seconds);
   });
 }
 
-contensou::Table measure_costs(const std::filesystem::path& reference) {
+/// The fronts as curves: rows by pressure, then by time.
+contensou::Table fronts(std::vector<Row> rows) {
+  std::sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.seconds < b.seconds; });
+  contensou::Table table{
+      {"Pareto fronts of cost_laws.tsv: among all methods, and among those that take one value at a time"},
+      {"pressure", "among", "error", "seconds", "method", "setting"},
+      {}};
+  for (const char* pressure : {"uniform", "hertz"}) {
+    for (const bool one_by_one : {false, true}) {
+      for (const Row& row : rows) {
+        if (row.method->pressure != pressure || !on_front(row, rows, one_by_one)) continue;
+        table.add({pressure, one_by_one ? "one" : "all", row.errors.scaled, row.seconds, row.method->name,
+                   row.method->setting});
+      }
+    }
+  }
+  return table;
+}
+
+void measure_costs(const std::filesystem::path& reference, const std::filesystem::path& data) {
   constexpr std::size_t slow = 4096;     // arguments in a pass, below which only one order is timed
   constexpr double longest_check = 2.0;  // seconds for the error of one method
   const std::vector<Method> methods = law_methods();
@@ -179,7 +198,8 @@ contensou::Table measure_costs(const std::filesystem::path& reference) {
                 row.method->pressure.c_str(), row.method->name.c_str(), row.method->setting.c_str(),
                 row.errors.scaled, row.errors.relative, row.seconds, front.c_str());
   }
-  return table;
+  contensou::write_table(fronts(rows), data / "cost_laws_front.tsv");
+  contensou::write_table(table, data / "cost_laws.tsv");
 }
 
 }  // namespace
@@ -205,7 +225,7 @@ int main(int argc, char** argv) {
     std::printf("ratios\n");
     contensou::write_table(bench::measure_ratios(), data / "cost_ratios.tsv");
     std::printf("cost of accuracy\n");
-    contensou::write_table(bench::measure_costs(reference), data / "cost_laws.tsv");
+    bench::measure_costs(reference, data);
     std::printf("%.0f s\n", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     return 0;
   } catch (const std::exception& error) {
