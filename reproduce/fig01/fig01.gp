@@ -29,7 +29,7 @@ set label 6 "{/:Italic φ}" at 0.36*cos(phi/2), 0.36*sin(phi/2) center offset 0,
 set label 7 "{/:Italic θ}" at 0.27*sin(theta/2), pole-0.27*cos(theta/2) center front
 set label 8 "d{/:Italic A}" at x, y left offset 1.0,-0.6 front
 set label 9 "{/:Bold γ}_{/:Italic T} = {/:Italic v} {/:Bold e}_1" at 0.5*pole, 0 center offset 0.6,-0.9 front textcolor rgb blue
-set label 10 "{/:Italic ω}" at -0.10, 0.15 right offset -0.3,0 front textcolor rgb blue
+set label 10 "{/:Italic ω}" at -0.03, 0.18 right front textcolor rgb blue
 set label 11 "{/:Italic R}" at 0.6*cos(215*pi/180), 0.6*sin(215*pi/180) center offset -0.4,1.0 front
 set label 12 "{/:Bold w}" at x+(pole-y), y+x left offset 0.5,0.3 front textcolor rgb blue
 
@@ -41,6 +41,7 @@ plot curves using (on("disc", column("x"))):"y" with filledcurves closed fillcol
      curves using (on("phi", column("x"))):"y" with lines linestyle 9, \
      curves using (on("theta", column("x"))):"y" with lines linestyle 9, \
      curves using (on("element", column("x"))):"y" with filledcurves closed fillcolor rgb ink fillstyle solid noborder, \
+     curves using (on("element", column("x"))):"y" with lines linestyle 3 linewidth 1.5, \
      lines using (is("e1", column("x"))):"y":"dx":"dy" with vectors arrowstyle 1, \
      lines using (is("e2", column("x"))):"y":"dx":"dy" with vectors arrowstyle 1, \
      lines using (is("R", column("x"))):"y":"dx":"dy" with vectors arrowstyle 1, \

@@ -41,6 +41,21 @@ std::vector<std::string> text_lines(const fs::path& readme) {
   return lines;
 }
 
+// The names of the figure's tables in `html` become links that carry the table with them.
+std::string with_tables_attached(std::string html, const fs::path& data, const std::string& figure) {
+  for (const fs::path& file : files_of(data, figure, ".tsv")) {
+    const std::string name = file.filename().string();
+    const std::size_t at = html.find(name);
+    if (at == std::string::npos) throw std::runtime_error(figure + "/README.md does not name " + name);
+    html.replace(
+        at, name.size(),
+        fmt::format(
+            "<a download=\"{0}\" href=\"data:text/tab-separated-values;charset=utf-8;base64,{1}\">{0}</a>",
+            name, base64(read_text(file))));
+  }
+  return html;
+}
+
 std::string one_figure(const fs::path& source, const fs::path& report) {
   const std::string name = source.filename().string();
   const auto text = text_lines(source / "README.md");
@@ -54,15 +69,10 @@ std::string one_figure(const fs::path& source, const fs::path& report) {
                     letter.empty() ? "" : fmt::format("<div class=\"letter\">({})</div>", escape(letter)));
   }
   if (drawings.empty()) html += "<p class=\"missing\">Not drawn yet.</p>\n";
-  html += fmt::format(
-      "</div><figcaption><p>{}</p><p class=\"make\">{}</p><p class=\"make\">{}</p><p class=\"make\">",
-      prose(text[0]), prose(text[1]), prose(text[2]));
-  for (const fs::path& table : files_of(report / "data", name, ".tsv")) {
-    html += fmt::format(
-        "<a download=\"{0}\" href=\"data:text/tab-separated-values;charset=utf-8;base64,{1}\">{0}</a> ",
-        table.filename().string(), base64(read_text(table)));
-  }
-  return html + "</p></figcaption></figure>\n";
+  html += fmt::format("</div><figcaption><p>{}</p><p class=\"make\">{}</p><p class=\"make\">{}</p>",
+                      prose(text[0]), prose(text[1]),
+                      with_tables_attached(prose(text[2]), report / "data", name));
+  return html + "</figcaption></figure>\n";
 }
 
 }  // namespace

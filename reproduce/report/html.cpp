@@ -137,8 +137,10 @@ std::string table(const contensou::Table& table, std::string_view id, std::strin
     html += fmt::format("<th class=\"c-{0}\"><button type=\"button\">{0}</button></th>", escape(column));
   }
   html += "</tr></thead><tbody>\n";
+  const bool columns_begin_with_id =
+      !table.columns.empty() && table.columns.front() == "id";  // rows to link to
   for (const auto& row : table.rows) {
-    html += "<tr>";
+    html += columns_begin_with_id ? fmt::format("<tr id=\"row-{}\">", escape(row.front())) : "<tr>";
     for (std::size_t j = 0; j < row.size(); ++j) {
       const std::string& column = table.columns[j];
       if (column == "verdict") {

@@ -30,7 +30,7 @@ int say_verdict(const fs::path& folder) {
   for (const auto& [verdict, count] : report::tally(evidence.claims, "verdict")) {
     std::printf("claims: %d %s\n", count, verdict.c_str());
   }
-  for (const std::string& complaint : evidence.complaints) std::printf("%s\n", complaint.c_str());
+  for (const auto& complaint : evidence.complaints) std::printf("%s\n", complaint.text.c_str());
   if (fs::exists(folder / "index.html")) std::printf("The report: %s\n", (folder / "index.html").c_str());
   return evidence.complaints.empty() ? 0 : 1;
 }

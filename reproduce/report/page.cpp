@@ -31,6 +31,11 @@ std::string tiles(const Table& table, const std::string& id,
   return html;
 }
 
+std::string complaint(const Complaint& c) {
+  if (c.claim.empty()) return fmt::format("<li>{}</li>\n", escape(c.text));
+  return fmt::format("<li><a href=\"#row-{}\">{}</a></li>\n", escape(c.claim), escape(c.text));
+}
+
 std::string verdict(const Evidence& evidence) {
   const bool good = evidence.complaints.empty();
   std::string html =
@@ -40,7 +45,7 @@ std::string verdict(const Evidence& evidence) {
     constexpr std::size_t shown = 12;
     html += "<ul>";
     for (std::size_t i = 0; i < std::min(shown, evidence.complaints.size()); ++i) {
-      html += fmt::format("<li>{}</li>", escape(evidence.complaints[i]));
+      html += complaint(evidence.complaints[i]);
     }
     html += "</ul>\n";
     if (evidence.complaints.size() > shown) {
@@ -145,7 +150,7 @@ std::string page(const Evidence& evidence, const fs::path& sources, const fs::pa
                {"script", read_text(sources / "report" / "page.js")},
                {"verdict", verdict(evidence)},
                {"figures", figures(sources, report)},
-               {"ledger", joined(evidence.ledger, "ledger", "The paper, equation by equation")},
+               {"ledger", joined(evidence.ledger, "ledger", "Ledger")},
                {"claims", joined(evidence.claims, "claims", "Claims")},
                {"quadrature", tables(report, {"quadrature"})},
                {"accuracy", drawings(report, "accuracy", "Accuracy") + tables(report, {"accuracy"})},

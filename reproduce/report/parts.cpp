@@ -41,12 +41,12 @@ void judge_claims(Evidence& evidence) {
   std::set<std::string> seen;
   for (std::size_t i = 0; i < ids.size(); ++i) {
     if (!seen.insert(ids[i]).second)
-      evidence.complaints.push_back(fmt::format("Two claims are called {}.", ids[i]));
+      evidence.complaints.push_back({fmt::format("Two claims are called {}.", ids[i]), ids[i]});
     if (verdicts[i] != "holds" && verdicts[i] != "fails as known") {
-      evidence.complaints.push_back(fmt::format("Claim {}: {}.", ids[i], verdicts[i]));
+      evidence.complaints.push_back({fmt::format("Claim {}: {}.", ids[i], verdicts[i]), ids[i]});
     }
   }
-  if (ids.empty()) evidence.complaints.emplace_back("No claim was checked.");
+  if (ids.empty()) evidence.complaints.push_back({"No claim was checked.", ""});
 }
 
 }  // namespace
@@ -71,7 +71,8 @@ Evidence collect(const fs::path& data) {
           {row[table.column("program")], row[table.column("status")], row[table.column("seconds")]});
       const ProgramStatus& p = evidence.programs.back();
       if (p.status != "0") {
-        evidence.complaints.push_back(fmt::format("Program {} ended with status: {}.", p.program, p.status));
+        evidence.complaints.push_back(
+            {fmt::format("Program {} ended with status: {}.", p.program, p.status), ""});
       }
     }
   }

@@ -16,12 +16,16 @@ struct ProgramStatus {
   std::string seconds;
 };
 
+struct Complaint {
+  std::string text;   ///< one sentence
+  std::string claim;  ///< the id of the claim it is about, or empty
+};
+
 struct Evidence {
   contensou::Table claims;  ///< all parts/claims-*.tsv
   contensou::Table ledger;  ///< all parts/ledger-*.tsv
   std::vector<ProgramStatus> programs;
-  /// One sentence for each reason why the whole is not as it should be; empty where it is.
-  std::vector<std::string> complaints;
+  std::vector<Complaint> complaints;  ///< why the whole is not as it should be; empty where it is
 };
 
 /// Reads and joins the parts in `data`/parts. Claims are complained about where one fails, holds
