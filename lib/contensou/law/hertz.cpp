@@ -38,7 +38,7 @@ Friction HertzLaw::at(double v, double s) const {
     const double mc = (s - v) / s * (1 + u);
     return {force_over_u(mc) * u, torque(mc)};
   }
-  if (!(s >= 0)) require_slip(v, s);
+  if (!(v > s && s >= 0)) require_slip(v, s);
   const double w = s / v;
   if (w > seam) {
     const double gap = (v - s) / v;

@@ -83,9 +83,9 @@ RadialLaw::RadialLaw(RadialPressure pressure) : pressure_(std::move(pressure)) {
   std::sort(pressure_.breaks.begin(), pressure_.breaks.end());
   load_ = integral(0, [this](double rho) {
     const double sigma = pressure_.sigma(rho);
-    if (!(sigma >= 0)) {
+    if (!(sigma >= 0 && std::isfinite(sigma))) {
       throw std::invalid_argument("radial pressure: sigma(" + std::to_string(rho) +
-                                  ") = " + std::to_string(sigma) + ", expected a number >= 0");
+                                  ") = " + std::to_string(sigma) + ", expected a finite number >= 0");
     }
     return sigma * rho;
   });

@@ -42,7 +42,7 @@ Friction UniformLaw::at(double v, double s) const {
     const Lanes form = evaluate(inner_far, u * u);
     return {form[0] * u, form[1]};
   }
-  if (!(s >= 0)) require_slip(v, s);
+  if (!(v > s && s >= 0)) require_slip(v, s);
   const double w = s / v;
   if (w > seam) return at_seam((v - s) / v / (1 + w));
   const Lanes form = evaluate(outer_far, w * w);

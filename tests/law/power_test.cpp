@@ -1,0 +1,47 @@
+#include "contensou/law/power.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "contensou/law/power_limits.hpp"
+#include "doubles.hpp"
+
+using namespace contensou;
+
+TEST_CASE("Compiled and by quadrature, the power law is one", "[law][power]") {
+  for (const double n : {-0.9, -0.5, 0.0, 0.5, 1.0, 3.3, 100.0}) {
+    const PowerQuadrature slow(n);
+    const PowerLaw fast(slow);
+    CHECK(slow.n() == n);
+    CHECK(fast.error_bound() <= 1e-13);
+    for (double u = 1e-3; u < 1e3; u *= 2.31) {
+      CAPTURE(n, u);
+      CHECK(fast.at(u, 1).xi == Approx(slow.at(u, 1).xi).epsilon(1e-13));
+      CHECK(fast.at(u, 1).eta == Approx(slow.at(u, 1).eta).epsilon(1e-13));
+    }
+  }
+}
+
+TEST_CASE("The ends of the power law are those of the family", "[law][power]") {
+  for (const double n : {-0.99, -0.5, 0.0, 0.5, 1.0, 7.0, 1000.0, 1e6}) {
+    CAPTURE(n);
+    const PowerLimits limits = power_limits(n);
+    const PowerLaw law(n);
+    CHECK(law.extent().xi == 1);
+    CHECK(law.extent().eta == Approx(limits.eta_max).epsilon(1e-13));
+    CHECK(law.at(0, 1).eta == Approx(limits.eta_max).epsilon(1e-13));
+    // Small enough for the next term, relative n u², to be gone even at n = 1e6.
+    CHECK(law.at(1e-20, 1).xi == Approx(limits.slope * 1e-20).epsilon(1e-13));
+    CHECK(law.at(1, 1e-20).eta == Approx(limits.tail * 1e-20).epsilon(1e-13));
+    CHECK(law.curvature(0, 1).vv == Approx(limits.slope).epsilon(1e-11));
+    CHECK(law.curvature(1, 0).ss == Approx(limits.tail).epsilon(1e-11));
+    CHECK(law.at(1, 0).xi == Approx(1).epsilon(1e-13));
+  }
+}
+
+TEST_CASE("Exponents that are none are refused", "[law][power]") {
+  for (const double n : {-1.0, -3.0, not_a_number, inf, 1.1e6}) {
+    CHECK_THROWS_AS(PowerQuadrature(n), std::invalid_argument);
+    CHECK_THROWS_AS(PowerLaw(n), std::invalid_argument);
+  }
+}
