@@ -115,7 +115,9 @@ TEST_CASE("γ_F times a power of two changes nothing, to the bit", "[law][force]
     const auto reference = force(law, {0.3, 10}, gamma);
     const double phi = power(law, {0.3, 10}, gamma);
     const auto h = second(law, {0.3, 10}, gamma);
-    for (const int k : {-1072, -1050, -1022, -500, -1, 1, 500, 1000, 1022}) {
+    // Beyond 2^±100 γ_F is scaled before use: both sides of that seam, too.
+    for (const int k :
+         {-1072, -1050, -1022, -500, -103, -102, -101, -100, -1, 1, 97, 98, 99, 100, 500, 1000, 1022}) {
       CAPTURE(name, k);
       const SlipVelocity scaled = gamma.unaryExpr([&](double x) { return std::ldexp(x, k); });
       CHECK(force(law, {0.3, 10}, scaled) == reference);
@@ -131,7 +133,7 @@ TEST_CASE("λ_N or μ times a power of two multiplies the force by it, to the bi
   const SlipVelocity gamma(0.3, -0.7, 1.1);
   for (const auto& [name, law] : all_laws()) {
     const auto reference = force(law, {0.3, 10}, gamma);
-    for (const int k : {-1000, -3, 1, 1000}) {
+    for (const int k : {-1000, -403, -402, -401, -3, 1, 397, 398, 399, 400, 1000}) {
       CAPTURE(name, k);
       const double factor = std::ldexp(1.0, k);
       CHECK(force(law, {0.3, 10 * factor}, gamma) == factor * reference);

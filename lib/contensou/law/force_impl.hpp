@@ -17,13 +17,14 @@ concept SmoothAtRest = requires {
   requires L::smooth_at_rest;
 };
 
-/// μλ_N = factor 2^exponent with factor in [¼, 1) or zero: the product of two doubles that need not be one.
+/// μλ_N = factor 2^exponent: the product of two doubles, which need not be one. The factor is zero or far
+/// from both ends of the range; the exponent is zero unless the product itself is not.
 struct ScaledLoad {
   double factor;
   int exponent;
 };
 
-/// γ_F = 2^exponent (v n, ± s).
+/// γ_F = 2^exponent (v n, ± s), with exponent = 0 for every γ_F that is far from the ends of the range.
 struct ScaledSlip {
   double v;       ///< ‖γ_T‖ 2^−exponent; > 0 where γ_T ≠ 0
   double s;       ///< |γ_τ| 2^−exponent; > 0 where γ_τ ≠ 0
@@ -36,8 +37,9 @@ struct ScaledSlip {
 
 /// Checks μ, λ_N.
 ScaledLoad scaled(const Load& load);
-/// Checks γ_F. With `free` true the exponent is chosen such that the larger of |γ_T1|, |γ_T2|, |γ_τ| is in
-/// [1, 2) 2^exponent, else it is zero, as a law with a scale of its own needs it.
+/// Checks γ_F. Near the ends of the range the exponent is chosen such that the largest of |γ_T1|, |γ_T2|,
+/// |γ_τ| is in [1, 2) 2^exponent; with `free` false it is zero always, as a law with a scale of its own needs
+/// it.
 ScaledSlip scaled(const SlipVelocity& gamma, bool free);
 
 FrictionForce assemble_force(const ScaledLoad& load, const ScaledSlip& slip, const Friction& friction);
