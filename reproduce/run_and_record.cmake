@@ -1,10 +1,16 @@
-# cmake -Dname=... -Dprogram=PATH -Dfolder=DATA -Dstatus=FILE -P run_and_record.cmake
-# Runs `program --out folder`, writes exit status and duration as a table, succeeds whatever the program says.
+# cmake -Dname=... -Dprogram=PATH -Dfolder=DATA -Dstatus=FILE
+#       [-Dgnuplot=PATH -Ddrawing=SCRIPT -Dstyle=FILE -Dfigures=FOLDER] -P run_and_record.cmake
+# Runs `program --out folder`, then the drawing; writes exit status and duration as a table; succeeds whatever they say.
 string(TIMESTAMP begin "%s" UTC)
 if(program)
   execute_process(COMMAND ${program} --out ${folder} RESULT_VARIABLE result)
 else()
   set(result "not built")
+endif()
+if(drawing AND result STREQUAL "0")
+  file(MAKE_DIRECTORY ${figures})
+  execute_process(COMMAND ${gnuplot} -e "style='${style}'; data='${folder}'; figures='${figures}'" ${drawing}
+                  RESULT_VARIABLE result)
 endif()
 string(TIMESTAMP end "%s" UTC)
 math(EXPR seconds "${end} - ${begin}")

@@ -5,20 +5,25 @@
 # They run one at a time on the terminal: their progress is seen, and the benchmark does not compete with them.
 file(GLOB_RECURSE reference_tables CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/reference_data/*.tsv)
 
-# contensou_run(PROGRAM "comment") makes the target run_PROGRAM; the status file's name goes into ${PROGRAM}_status.
+# contensou_run(PROGRAM "comment" [SCRIPT.gp]) makes the target run_PROGRAM; the status file's name goes into
+# ${PROGRAM}_status. Where the program ended well, SCRIPT.gp draws its tables in the style of the figures.
 function(contensou_run program comment)
   set(status ${report_data}/parts/status-${program}.tsv)
+  set(run ${CMAKE_COMMAND} -Dname=${program} -Dfolder=${report_data} -Dstatus=${status})
+  set(script ${CMAKE_CURRENT_SOURCE_DIR}/run_and_record.cmake)
   if(TARGET ${program})
+    if(ARGN)
+      list(APPEND run -Dgnuplot=${GNUPLOT} -Ddrawing=${ARGN} -Dfigures=${report_figures}
+                      -Dstyle=${CMAKE_CURRENT_SOURCE_DIR}/style.gp)
+    endif()
     add_custom_command(OUTPUT ${status}
-      COMMAND ${CMAKE_COMMAND} -Dname=${program} -Dprogram=$<TARGET_FILE:${program}> -Dfolder=${report_data}
-              -Dstatus=${status} -P ${CMAKE_CURRENT_SOURCE_DIR}/run_and_record.cmake
-      DEPENDS ${program} run_and_record.cmake ${reference_tables}
+      COMMAND ${run} -Dprogram=$<TARGET_FILE:${program}> -P ${script}
+      DEPENDS ${program} ${script} ${reference_tables} ${ARGN}
       COMMENT "${comment}" USES_TERMINAL VERBATIM)
   else()
     add_custom_command(OUTPUT ${status}
-      COMMAND ${CMAKE_COMMAND} -Dname=${program} -Dprogram= -Dfolder=${report_data} -Dstatus=${status}
-              -P ${CMAKE_CURRENT_SOURCE_DIR}/run_and_record.cmake
-      DEPENDS run_and_record.cmake
+      COMMAND ${run} -Dprogram= -P ${script}
+      DEPENDS ${script}
       COMMENT "${program} was not built: noted as not run" VERBATIM)
   endif()
   add_custom_target(run_${program} DEPENDS ${status})
@@ -29,12 +34,7 @@ contensou_run(verify_quadrature "Verification: the definition (2.1) by adaptive 
 contensou_run(verify_ledger "Verification: every equation and claim of the paper")
 contensou_run(verify_plates "Verification: the friction plates")
 contensou_run(verify_accuracy "Verification: accuracy in ulp")
+contensou_run(bench_laws "What accuracy costs: measuring" ${PROJECT_SOURCE_DIR}/bench/laws/cost_laws.gp)
 
 set(verification_statuses
   ${verify_quadrature_status} ${verify_ledger_status} ${verify_plates_status} ${verify_accuracy_status})
-
-# The benchmark has its own commands (bench/); the page waits for what they write, where it is built at all.
-set(bench_files "")
-if(TARGET bench)
-  set(bench_files bench ${report_data}/cost_laws.tsv ${report_figures}/cost_laws.svg)
-endif()

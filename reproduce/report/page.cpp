@@ -16,7 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 using contensou::Table;
 
-constexpr std::size_t long_table = 60;  // rows; longer ones are folded
+constexpr std::size_t long_table = 60;      // rows; longer ones are folded
+constexpr std::size_t longest_table = 800;  // rows; longer ones stay in data/
 
 std::string tile(const std::string& table, const std::string& verdict, const std::string& kind, int count) {
   return fmt::format("<a class=\"tile {}\" href=\"#{}\" data-filter=\"{}\"><b>{}</b> {}</a>\n",
@@ -27,7 +28,11 @@ std::string tiles(const Table& table, const std::string& id,
                   const std::vector<std::pair<std::string, std::string>>& verdicts) {
   auto counts = tally(table, "verdict");
   std::string html;
-  for (const auto& [verdict, kind] : verdicts) html += tile(id, verdict, kind, counts[verdict]);
+  for (const auto& [verdict, kind] : verdicts) {
+    html += tile(id, verdict, kind, counts[verdict]);
+    counts.erase(verdict);
+  }
+  for (const auto& [other, count] : counts) html += tile(id, other, "bad", count);  // not a word of the list
   return html;
 }
 
@@ -96,8 +101,14 @@ std::string tables(const fs::path& report, const std::vector<std::string>& prefi
   std::string html;
   for (const fs::path& file : files) {
     const Table table = contensou::read_table(file);
-    html += report::table(table, fmt::format("table-{}", file.stem().string()),
-                          fmt::format("`{}`", file.filename().string()), table.rows.size() <= long_table);
+    const std::string name = file.filename().string();
+    if (table.rows.size() > longest_table) {
+      html += fmt::format("<p class=\"note\">{}: {} rows, in <code>build/report/data/</code>.</p>\n",
+                          escape(name), table.rows.size());
+    } else {
+      html += report::table(table, fmt::format("table-{}", file.stem().string()), fmt::format("`{}`", name),
+                            table.rows.size() <= long_table);
+    }
   }
   if (html.empty())
     html = "<p class=\"missing\">Not there yet: the program that writes it has not run.</p>\n";
@@ -152,7 +163,7 @@ std::string page(const Evidence& evidence, const fs::path& sources, const fs::pa
                {"figures", figures(sources, report)},
                {"ledger", joined(evidence.ledger, "ledger", "Ledger")},
                {"claims", joined(evidence.claims, "claims", "Claims")},
-               {"quadrature", tables(report, {"quadrature"})},
+               {"quadrature", tables(report, {"verify_quadrature"})},
                {"accuracy", drawings(report, "accuracy", "Accuracy") + tables(report, {"accuracy"})},
                {"plates", drawings(report, "plate", "Friction plates") + tables(report, {"plate"})},
                {"cost", drawings(report, "cost_", "Error against time") + tables(report, {"cost_"})},
