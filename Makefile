@@ -41,8 +41,10 @@ build: configure
 test: build
 	@ctest --test-dir $(BUILD) -j $(JOBS) --output-on-failure --no-tests=error
 
-reproduce: build
-	@cmake --build $(BUILD) -j $(JOBS) --target reproduce
+# Not the tests: they have their own command, and the report does not need them.
+reproduce: configure
+	@cmake --build $(BUILD) -j $(JOBS) --target contensou_program reproduce
+	@echo 'The report: $(CURDIR)/$(BUILD)/report/index.html'
 
 verify bench report: configure
 	@cmake --build $(BUILD) -j $(JOBS) --target $@
