@@ -1,0 +1,18 @@
+# cmake -DPROGRAM=... -DFRESH=FOLDER -DSTORED=FOLDER -P same_bytes.cmake
+# The generator of the reference curves, run again, writes the stored tables byte for byte.
+file(REMOVE_RECURSE ${FRESH})
+execute_process(COMMAND ${PROGRAM} ${FRESH} RESULT_VARIABLE status)
+if(NOT status EQUAL 0)
+  message(FATAL_ERROR "${PROGRAM}: ${status}")
+endif()
+file(GLOB stored RELATIVE ${STORED} ${STORED}/*.tsv)
+file(GLOB fresh RELATIVE ${FRESH} ${FRESH}/*.tsv)
+if(NOT stored OR NOT stored STREQUAL fresh)
+  message(FATAL_ERROR "stored and generated tables differ in name:\n${stored}\n${fresh}")
+endif()
+foreach(name IN LISTS stored)
+  execute_process(COMMAND ${CMAKE_COMMAND} -E compare_files ${STORED}/${name} ${FRESH}/${name} RESULT_VARIABLE differ)
+  if(differ)
+    message(SEND_ERROR "${name}: stored and generated table differ")
+  endif()
+endforeach()
