@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <numbers>
 
 #include "contensou/law/power_limits.hpp"
 #include "doubles.hpp"
@@ -36,6 +37,20 @@ TEST_CASE("The ends of the power law are those of the family", "[law][power]") {
     CHECK(law.curvature(0, 1).vv == Approx(limits.slope).epsilon(1e-11));
     CHECK(law.curvature(1, 0).ss == Approx(limits.tail).epsilon(1e-11));
     CHECK(law.at(1, 0).xi == Approx(1).epsilon(1e-13));
+  }
+}
+
+TEST_CASE("At u = 1 the hypergeometric series have Gauss's sums", "[law][power]") {
+  for (const double n : {-0.99, -0.9, -0.5, -0.25, 0.0, 0.5, 1.0, 3.3, 100.0, 1e6}) {
+    CAPTURE(n);
+    // ξ = f''(0) Γ(n+2)/(Γ(3/2) Γ(n+5/2)) and A = Γ(3/2) Γ(n+2)/Γ(n+5/2), with Γ(3/2)² = π/4; η = ξ/(2n+3),
+    // and f'' = ξ/(2n+2), which for n near −1 is far from its values one ulp beside u = 1.
+    const PowerLimits limits = power_limits(n);
+    const double xi = 4 / std::numbers::pi * limits.eta_max * limits.slope;
+    const PowerLaw law(n);
+    CHECK(law.at(1, 1).xi == Approx(xi).epsilon(1e-13));
+    CHECK(law.at(1, 1).eta == Approx(xi / (2 * n + 3)).epsilon(1e-13));
+    CHECK(law.curvature(1, 1).vv == Approx(xi / (2 * n + 2)).epsilon(1e-11));
   }
 }
 

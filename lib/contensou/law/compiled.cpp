@@ -84,7 +84,8 @@ CompiledLaw::Side CompiledLaw::compile_side(const Form& form, const std::vector<
               [&](double gap) {
                 return form({1 - gap, gap});
               },
-              near, tolerance)};
+              near, tolerance),
+          form({1, 0}).second};
 }
 
 CompiledLaw::Half CompiledLaw::compile(const std::function<BoundedForm(double)>& form,
@@ -154,6 +155,7 @@ BoundedForm CompiledLaw::Side::at(SlipRatio ratio) const {
 }
 
 double CompiledLaw::Side::second(SlipRatio ratio) const {
+  if (ratio.gap == 0) return second_at_seam;
   const auto [piece, t] = find(ratio);
   return evaluate(piece.coefficients[2], t);
 }

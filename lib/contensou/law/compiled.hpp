@@ -53,6 +53,8 @@ class CompiledLaw {
   struct Side {
     Half far;
     Half near;
+    double second_at_seam;  ///< f''(1) itself: for n < −1/2 it moves by percents between u = 1 and the next
+                            ///< double
     std::pair<const Piece&, double> find(SlipRatio ratio) const;  ///< the piece and its t
     BoundedForm at(SlipRatio ratio) const;  ///< force and torque only; second is left zero
     double second(SlipRatio ratio) const;
