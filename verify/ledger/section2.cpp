@@ -259,6 +259,37 @@ Finding truncated_potential() {
               text(t.error, 3)};
 }
 
+/// One line of (2.6) alone, against the line before it.
+Finding truncated_potential_line(std::size_t line) {
+  std::vector<Trial> trials;
+  for (const Contact& c : positive_contacts()) {
+    if (c.u() >= 1) continue;
+    const auto lines = lines_of_potential(c, false);
+    trials.push_back(relative(lines[line - 2], lines[line - 1]));
+  }
+  const Trial t = worst(trials);
+  return {t,
+          {},
+          digits50,
+          "Against the line before it, v > 0, R* < R: largest relative difference " + text(t.error, 2)};
+}
+
+/// Line 1 is (2.4) with the truncated ring: what is lost, relative to Φ, is no more than (2.5) loses at its
+/// worst, x = 1.
+Finding truncated_potential_first_line() {
+  std::vector<Trial> trials;
+  for (const Contact& c : positive_contacts()) {
+    if (c.u() < 1) trials.push_back(relative(exact_potential(c), lines_of_potential(c, false)[0]));
+  }
+  const Trial t = worst(trials);
+  const double ring_error = static_cast<double>(1 - pi() * ratio(325, 128) / 8);
+  return {t,
+          {},
+          ring_error,
+          "Relative error against Φ up to " + text(t.error, 3) + "; (2.5) loses " + text(ring_error, 3) +
+              " at x = 1"};
+}
+
 Finding last_term() {
   Contact c;
   c.v = -c.v;
@@ -591,6 +622,14 @@ std::vector<Row> section2() {
        ring_range},
       {"2.6", "(2.6)", "Φ for R* < R by termwise integration, four lines", Flaw::none, "", "",
        truncated_potential},
+      {"2.6.line1", "(2.6) line 1", "(2.4) with (2.5) for either root", Flaw::none, "", "",
+       truncated_potential_first_line},
+      {"2.6.line2", "(2.6) line 2", "the same with α, β written out", Flaw::none, "", "",
+       [] { return truncated_potential_line(2); }},
+      {"2.6.line3", "(2.6) line 3", "antiderivatives 2ρ³/3 + ..., ρ² + ... between 0, R* and R", Flaw::none,
+       "", "", [] { return truncated_potential_line(3); }},
+      {"2.6.line4", "(2.6) line 4", "μλ_N|ω|R (2/3 + u²/2 − u⁴/32 − u⁶/384) − μλ_N (5/3072) v³/(ωR)²",
+       Flaw::none, "", "Read here for v > 0; see the next row.", [] { return truncated_potential_line(4); }},
       {"2.6.last_term", "(2.6), last term", "− μλ_N (5/3072) v³/(ωR)²", Flaw::imprecise,
        "− μλ_N (5/3072) |v|³/(ωR)²",
        "Coefficient, sign and power are right; for v < 0 the term would change the sign of an even function.",
