@@ -11,8 +11,8 @@ struct ReducedBatch {
   std::span<double> eta;
 };
 
-/// `reduced(UniformLaw{}, u)` for many u at once, vectorised for the machine it runs on (chosen at load time).
-/// u in [0, ∞]; NaN and negative u give NaN in their own row only (a batch does not throw half-way).
+/// `reduced(UniformLaw{}, u)` for many u at once, vectorised for the machine it runs on (chosen at load
+/// time). u in [0, ∞]; NaN and negative u give NaN in their own row only (a batch does not throw half-way).
 /// Throws std::invalid_argument if the lengths differ. Same accuracy as the scalar law, not the same bits.
 void reduced_uniform(std::span<const double> u, ReducedBatch out);
 /// `reduced(HertzLaw{}, u)` for many u.

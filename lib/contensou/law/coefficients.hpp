@@ -381,5 +381,14 @@ inline constexpr std::array<double, 14> hertz_near_second{
     5.0496437454442606,
     151.18000289893604,
 };
+/// (1 + m)^(-1/2) for 0 <= m <= 1; relative error 1.3e-05.
+inline constexpr std::array<double, 6> inverse_root{
+    0.99998666030731553,
+    -0.4990274114162308,
+    0.36291005246820274,
+    -0.25368429588814517,
+    0.1275919479880705,
+    -0.03067718538130516,
+};
 
 }  // namespace contensou::coefficients
