@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <iterator>
@@ -124,9 +125,14 @@ std::string cell(std::string_view text) {
 }
 
 std::string table(const contensou::Table& table, std::string_view id, std::string_view title, bool open) {
+  const auto has = [&table](const char* name) {
+    return std::find(table.columns.begin(), table.columns.end(), name) != table.columns.end();
+  };
+  const bool judged = has("verdict");                              // mostly text: cards on a narrow screen
+  const bool linked = has("id") && table.columns.front() == "id";  // rows to link to
   std::string html = fmt::format(
-      "<details class=\"table\" id=\"{}\"{}><summary>{} <span class=\"count\">{} rows</span></summary>\n",
-      escape(id), open ? " open" : "", prose(title), table.rows.size());
+      "<details class=\"table{}\" id=\"{}\"{}><summary>{} <span class=\"count\">{} rows</span></summary>\n",
+      judged ? " cards" : "", escape(id), open ? " open" : "", prose(title), table.rows.size());
   for (const std::string& comment : table.comments)
     html += fmt::format("<p class=\"note\">{}</p>\n", prose(comment));
   html += fmt::format(
@@ -134,23 +140,22 @@ std::string table(const contensou::Table& table, std::string_view id, std::strin
       escape(title));
   html += "<div class=\"scroll\" tabindex=\"0\"><table><thead><tr>";
   for (const std::string& column : table.columns) {
-    html += fmt::format("<th class=\"c-{0}\"><button type=\"button\">{0}</button></th>", escape(column));
+    html += fmt::format("<th><button type=\"button\">{}</button></th>", escape(column));
   }
   html += "</tr></thead><tbody>\n";
-  const bool columns_begin_with_id =
-      !table.columns.empty() && table.columns.front() == "id";  // rows to link to
   for (const auto& row : table.rows) {
-    html += columns_begin_with_id ? fmt::format("<tr id=\"row-{}\">", escape(row.front())) : "<tr>";
+    html += linked ? fmt::format("<tr id=\"row-{}\">", escape(row.front())) : "<tr>";
     for (std::size_t j = 0; j < row.size(); ++j) {
       const std::string& column = table.columns[j];
+      const std::string name = judged ? fmt::format(" data-c=\"{}\"", escape(column)) : "";
       if (column == "verdict") {
-        html += fmt::format("<td><span class=\"chip {}\">{}</span></td>", kind_of_verdict(row[j]),
+        html += fmt::format("<td{}><span class=\"chip {}\">{}</span></td>", name, kind_of_verdict(row[j]),
                             escape(row[j]));
       } else if (number(row[j])) {
-        html += fmt::format("<td class=\"n\" data-n=\"{0}\" title=\"{0}\">{1}</td>", escape(row[j]),
+        html += fmt::format("<td{0} class=\"n\" data-n=\"{1}\" title=\"{1}\">{2}</td>", name, escape(row[j]),
                             cell(row[j]));
       } else {
-        html += fmt::format("<td class=\"c-{}\">{}</td>", escape(column), prose(row[j]));
+        html += fmt::format("<td{}>{}</td>", name, prose(row[j]));
       }
     }
     html += "</tr>\n";
