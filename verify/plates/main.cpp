@@ -94,7 +94,9 @@ class Report {
  private:
   contensou::Table table_{{"The friction plates of LG03 (2.18) and (3.19) against the exact border; forces "
                            "in units of mu*lambda_N.",
-                           "method: printed = coefficients and seam of the paper; series = exact elimination "
+                           "method: printed = coefficients and seam of the paper; corrected = its three "
+                           "terms with the right coefficients and "
+                           "seam; series = exact elimination "
                            "of u, any number of terms, exact seam.",
                            "max_error: largest distance between the borders along the exact normal; "
                            "where_xi, where_u: there; signed_error > 0: too large.",
