@@ -64,7 +64,8 @@ std::string readable(double x) {
   std::string text = fmt::format("{:.4g}", x);
   if (const std::size_t e = text.find('e'); e != std::string::npos) {
     const std::string exponent = text.substr(e + 1);
-    text = text.substr(0, e) + "·10" + superscript(exponent);
+    const std::string mantissa = text.substr(0, e) + "·";
+    text = (mantissa == "1·" ? "" : mantissa == "-1·" ? "-" : mantissa) + "10" + superscript(exponent);
   }
   if (text.front() == '-') text.replace(0, 1, "−");
   return text;
@@ -133,14 +134,20 @@ std::string table(const contensou::Table& table, std::string_view id, std::strin
   std::string html = fmt::format(
       "<details class=\"table{}\" id=\"{}\"{}><summary>{} <span class=\"count\">{} rows</span></summary>\n",
       judged ? " cards" : "", escape(id), open ? " open" : "", prose(title), table.rows.size());
-  for (const std::string& comment : table.comments)
-    html += fmt::format("<p class=\"note\">{}</p>\n", prose(comment));
-  html += fmt::format(
-      "<p class=\"tools\"><input type=\"search\" placeholder=\"filter\" aria-label=\"filter {}\"></p>\n",
-      escape(title));
+  html += "<p class=\"note\">";
+  for (const std::string& comment : table.comments) html += prose(comment) + "<br>\n";
+  html += "</p>\n";
+  constexpr std::size_t seen_at_once = 12;  // rows that need no filter
+  if (table.rows.size() > seen_at_once) {
+    html += fmt::format(
+        "<p class=\"tools\"><input type=\"search\" placeholder=\"filter\" aria-label=\"filter {}\"></p>\n",
+        escape(title));
+  }
   html += "<div class=\"scroll\" tabindex=\"0\"><table><thead><tr>";
-  for (const std::string& column : table.columns) {
-    html += fmt::format("<th><button type=\"button\">{}</button></th>", escape(column));
+  for (std::size_t j = 0; j < table.columns.size(); ++j) {
+    const bool numeric = !table.rows.empty() && number(table.rows.front()[j]);
+    html += fmt::format("<th{}><button type=\"button\">{}</button></th>", numeric ? " class=\"n\"" : "",
+                        escape(table.columns[j]));
   }
   html += "</tr></thead><tbody>\n";
   for (const auto& row : table.rows) {

@@ -21,6 +21,7 @@ for (const box of document.querySelectorAll("details.table")) {
     });
   });
   const search = box.querySelector("input");
+  if (!search) continue;
   // "verdict: X" is the whole cell, anything else a part of the row's text.
   const show = () => {
     const [, verdict] = search.value.match(/^verdict: (.*)$/) || [];
