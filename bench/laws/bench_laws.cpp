@@ -73,7 +73,7 @@ Errors errors_of(const Method& method, const std::vector<Exact>& exact, std::siz
 std::size_t sample_size(const Method& method) {
   constexpr std::size_t largest = 16384;
   constexpr std::size_t least = 32;
-  constexpr double pass = 4e-3;
+  constexpr double pass = 0.5e-3;
   const std::vector<double> u = log_uniform_sample(least);
   Results results(least);
   const Task once{[&] { method.evaluate(u, results.span()); }, static_cast<double>(least)};
@@ -131,7 +131,7 @@ contensou::Table fronts(std::vector<Row> rows) {
 }
 
 void measure_costs(const std::filesystem::path& reference, const std::filesystem::path& data) {
-  constexpr std::size_t slow = 4096;     // arguments in a pass, below which only one order is timed
+  constexpr std::size_t slow = 512;      // arguments in a pass, below which only one order is timed
   constexpr double longest_check = 2.0;  // seconds for the error of one method
   const std::vector<Method> methods = law_methods();
   const std::vector<Exact> uniform = read_exact(reference / "laws" / "uniform.tsv");
@@ -150,7 +150,6 @@ void measure_costs(const std::filesystem::path& reference, const std::filesystem
     timings.push_back(std::make_unique<Timing>(count));
     Timing& t = *timings.back();
     const std::vector<Exact>& exact = method.pressure == "uniform" ? uniform : hertz;
-    // A pass over `count` arguments takes about 4 ms, or as long as 32 arguments take.
     const Task once{[&] { method.evaluate(t.random, t.results.span()); }, static_cast<double>(count)};
     const double seconds = time_interleaved({&once, 1}, {.rounds = 1, .visit = 0}).front().front();
     const double all = seconds * static_cast<double>(exact.size());

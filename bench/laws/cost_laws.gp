@@ -43,7 +43,7 @@ array right = ['quadrature_1d_qag', 'tolerance 1e-15', 'quadrature_1d_gauss', '4
 array right_text = ['1-D form, adaptive', '1-D form, Gauss: 2, 4, 8, … 64 points', 'this library, any {/:Italic σ}(ρ), by quadrature', \
   'Taylor: 2, 3, 4, … 20 terms', 'ellipsoid', 'tanh', 'K, E: Boost', 'promoted', 'K, E: GSL', 'Carlson: Boost', \
   'this library: exact']
-array right_y = [0.3, 0.4, 0, 0, 0.4, 0, 0.4, 0.4, 0, 0, -0.5]
+array right_y = [0.3, 0.4, 0.8, 0, 0.4, 0, 0.4, 0.4, 0, 0, -0.7]
 
 array left = ['quadrature_2d', 'tolerance 0.01', 'decoupled', 'same semi-axes', 'pade', 'order 2', \
   'printed_series', '(2.8), (2.13), (2.14)', 'printed', '(3.14), (3.17), (3.18)', 'compiled', 'tolerance 1e-08', 'exact', 'batch']
@@ -60,10 +60,11 @@ do for [pressure in 'uniform hertz'] {
   set title (pressure eq 'uniform' ? 'Uniform pressure' : 'Hertz pressure') offset 0,-0.4
   set xlabel 'seconds for Φ, {/:Italic ξ} and {/:Italic η} at one {/:Italic u}'
   set label 1 'zero or below 10^{−17}' at 1.6e-2,floor right offset 0,0.55 textcolor rgb grey
-  set label 2 'band: Pareto front of all methods' at 1.6e-2,1.2 right textcolor rgb '#2f6f9f' font ',13'
-  set label 3 'dotted: of those that take one value at a time' at 1.6e-2,0.1 right textcolor rgb ink font ',13'
+  set label 2 'halo: Pareto front of all methods' at 1.6e-2,1.2 right textcolor rgb '#2f6f9f' font ',13'
+  set label 3 'dotted: of those that take one value at a time' at 1.6e-2,0.2 right textcolor rgb ink font ',13'
   plot floor with lines linestyle 8, \
     fronts using 4:(front(pressure, 'all')) with steps linecolor rgb '#c5deee' linewidth 10, \
+    fronts using 4:(front(pressure, 'all')) with points linecolor rgb '#c5deee' pointtype 7 pointsize 3, \
     fronts using 4:(front(pressure, 'one')) with steps linecolor rgb ink linewidth 1 dashtype (2,3), \
     for [i = 1:|method|] table using 6:(error(pressure, method[i])) \
       with linespoints linecolor rgb colour[i] linewidth (strstrt(joined, method[i]) ? 1.2 : 0) pointtype point[i] \
@@ -71,6 +72,6 @@ do for [pressure in 'uniform hertz'] {
     for [i = 1:|right_text|] table using 6:(labelled(pressure, right[2*i-1], right[2*i])):(right_text[i]) \
       with labels left offset 1,right_y[i] textcolor rgb ink font ',13', \
     for [i = 1:|left_text|] table using 6:(labelled(pressure, left[2*i-1], left[2*i])):(left_text[i]) \
-      with labels right offset -1,0 textcolor rgb ink font ',13'
+      with labels right offset -1.3,0 textcolor rgb ink font ',13'
 }
 unset multiplot

@@ -14,7 +14,7 @@ struct Task {
 
 struct Effort {
   int rounds = 15;      ///< visits to each task
-  double visit = 1e-3;  ///< seconds a visit lasts at least (one pass at least)
+  double visit = 2e-3;  ///< seconds a visit lasts at least (one pass at least)
   double budget =
       1.5;  ///< seconds after which a slow task is visited no more, once it has had `least` visits
   int least = 3;
