@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using contensou::Table;
 
-constexpr std::size_t long_table = 60;      // rows; longer ones are folded
+constexpr std::size_t long_table = 400;     // rows; longer ones are folded
 constexpr std::size_t longest_table = 800;  // rows; longer ones stay in data/
 
 std::string tile(const std::string& table, const std::string& verdict, const std::string& kind, int count) {
