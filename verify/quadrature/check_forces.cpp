@@ -32,11 +32,12 @@ constexpr Contact contacts[] = {
 /// Ring and radial tolerance are asked relative to μλ_N, the largest force; the ring's enters twice (two
 /// halves).
 constexpr double force_bound = outer_tolerance + 2 * inner_tolerance + rounding;
-/// The hessian's entries are at least a fifth of the unit its tolerance is in, in the norm of the matrix.
+/// Φ is at least a third of μλ_N times the fastest slip, which its tolerance is relative to.
+constexpr double power_bound = 3 * force_bound;
+/// The Hessian's entries are at least a fifth of the unit its tolerance is in, in the norm of the matrix.
 constexpr double hessian_bound = 5 * force_bound;
-/// Where there is no sliding or no spin the element integral of the Hessian exists as the limit.
+/// As in check_laws.cpp.
 constexpr double law_accuracy = 1e-13;
-/// See check_laws.cpp.
 constexpr double compiled_curvature_accuracy = 1e-11;
 
 struct Judge {
@@ -57,7 +58,7 @@ struct Judge {
     const double size = c.mu * c.lambda_n;
     force.add(u, size, size + (ours - elements).norm(), force_bound + law_accuracy);
     const double dissipated = power_of_elements(c, pressure);
-    power.add(u, dissipated, contensou::potential(law, load, gamma), force_bound * 3 + law_accuracy);
+    power.add(u, dissipated, contensou::potential(law, load, gamma), power_bound + law_accuracy);
     const Eigen::Matrix3d elements_hessian = hessian_of_elements(c, pressure);
     const double hessian_size = elements_hessian.norm();
     const Eigen::Matrix3d difference = contensou::hessian(law, load, gamma) - elements_hessian;
@@ -75,7 +76,7 @@ struct Judge {
     record.add(force.claim(id + "force", "LG03 (2.1), (2.11), (2.17), (2.21)",
                            "(lambda_T1, lambda_T2, lambda_tau)" + tail));
     record.add(power.claim(id + "potential", "LG03 (2.1)", "Phi in watts" + tail));
-    record.add(hessian.claim(id + "hessian", "laws.md", "the Hessian of Phi" + tail));
+    record.add(hessian.claim(id + "hessian", "LG03 (2.1)", "the Hessian of Phi" + tail));
     std::printf("%-10s vectors: force %s, potential %s, Hessian %s\n", pressure.c_str(),
                 brief(force.max_error()).c_str(), brief(power.max_error()).c_str(),
                 brief(hessian.max_error()).c_str());

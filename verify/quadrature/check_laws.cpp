@@ -40,13 +40,15 @@ struct Method {
   std::string where;     ///< where the formula stands
   std::string sentence;  ///< what it is, as the subject of a claim
   std::function<std::optional<Bounded>(Quantity, double u, double result)> at;
+  bool loses_digits =
+      false;  ///< its own bound grows without limit: say by a claim of its own what that costs
 };
 
 template <contensou::FrictionLaw L>
 void add_exact(std::vector<Method>& methods, const std::string& column, const std::string& type, L law,
                double curvature_accuracy) {
   auto shared = std::make_shared<const L>(std::move(law));
-  methods.push_back({column, "laws.md", "the library's " + type,
+  methods.push_back({column, "LG03 (2.1), (2.11)", "the library's " + type,
                      [shared, curvature_accuracy](Quantity q, double u, double) -> std::optional<Bounded> {
                        return Bounded{value_of(*shared, q, u),
                                       q == Quantity::curvature ? curvature_accuracy : law_accuracy};
@@ -54,7 +56,7 @@ void add_exact(std::vector<Method>& methods, const std::string& column, const st
   // Φ is homogeneous of degree one, so that its other second derivatives follow from f″: −u f″ and u² f″ at s
   // = 1.
   methods.push_back(
-      {column + "_vs_ss", "laws.md", "the mixed and the spin curvature of the library's " + type,
+      {column + "_vs_ss", "LG03 (2.1)", "the mixed and the spin curvature of the library's " + type,
        [shared, curvature_accuracy](Quantity q, double u, double result) -> std::optional<Bounded> {
          if (q != Quantity::curvature) return std::nullopt;
          const contensou::Curvature c = shared->curvature(u, 1.0);
@@ -77,13 +79,14 @@ std::vector<Method> methods_for(double n) {
             compiled_curvature_accuracy);
   add_exact(methods, "power_quadrature", "PowerQuadrature", contensou::PowerQuadrature(n), law_accuracy);
   methods.push_back(
-      {"hypergeometric", "laws.md", "the hypergeometric form, GSL's 2F1 with its own error estimate,",
+      {"hypergeometric", "LG03 (2.1) in Gauss's 2F1", "the hypergeometric form",
        [n](Quantity q, double u, double) -> std::optional<Bounded> { return hypergeometric(q, n, u); }});
   if (n == 0) {
-    methods.push_back({"textbook", "(2.2) in K and E", "the textbook form in K and E of GSL",
+    methods.push_back({"textbook", "LG03 (2.2)", "the textbook form in K and E of GSL",
                        [](Quantity q, double u, double result) -> std::optional<Bounded> {
                          return textbook_uniform(q, u, result);
-                       }});
+                       },
+                       true});
     methods.push_back({"printed", "LG03 (2.8), (2.13), (2.14)",
                        "the library's PrintedUniformLaw, four terms as printed,",
                        [](Quantity q, double u, double result) -> std::optional<Bounded> {
@@ -97,7 +100,8 @@ std::vector<Method> methods_for(double n) {
                        [](Quantity q, double u, double result) -> std::optional<Bounded> {
                          if (q == Quantity::curvature) return std::nullopt;
                          return printed_hertz(q, u, result);
-                       }});
+                       },
+                       true});
     methods.push_back(
         {"printed_law", "LG03 (3.17), (3.18)", "the library's PrintedHertzLaw",
          [](Quantity q, double u, double result) -> std::optional<Bounded> {
@@ -106,7 +110,8 @@ std::vector<Method> methods_for(double n) {
          }});
   }
   for (const int terms : series_terms) {
-    methods.push_back({"series" + std::to_string(terms), n == 0 ? "LG03 (2.8), (2.13), (2.14)" : "laws.md",
+    methods.push_back({"series" + std::to_string(terms),
+                       n == 0 ? "LG03 (2.8), (2.13), (2.14)" : "LG03 (2.1), Taylor series",
                        "Taylor with " + std::to_string(terms) + " terms of the potential",
                        [law = SeriesLaw(n, terms), n, terms](Quantity q, double u,
                                                              double result) -> std::optional<Bounded> {
@@ -121,6 +126,7 @@ struct Results {
   Comparison coordinates;  // centre against pole, all quantities
   Comparison load;
   std::map<std::pair<std::string, Quantity>, Comparison> methods;
+  std::map<std::pair<std::string, Quantity>, Comparison> to_all_digits;  // of those that lose digits
   double worst_estimate = 0;
 };
 
@@ -165,6 +171,13 @@ class Study {
       for (const Quantity q : law_quantities) {
         const auto found = results_.methods.find({m.name, q});
         if (found == results_.methods.end()) continue;
+        if (m.loses_digits) {
+          record.add(results_.to_all_digits.at({m.name, q})
+                         .claim(id + m.name + "_all_digits." + name(q), m.where,
+                                std::string(name(q)) + ", " + pressure_.name + ": " + m.sentence +
+                                    " keeps its digits for every u (it does not, for its terms cancel)",
+                                false));
+        }
         record.add(
             found->second.claim(id + m.name + "." + name(q), m.where,
                                 std::string(name(q)) + ", " + pressure_.name + ": " + m.sentence +
@@ -174,18 +187,20 @@ class Study {
   }
 
   void print() const {
-    std::printf("%-10s largest relative difference to the definition (phi, xi, eta, f'')\n",
-                pressure_.name.c_str());
+    std::printf("%s: largest relative difference to the integrated definition, %d values of u\n  %-24s",
+                pressure_.name.c_str(), results_.load.count() / 2, "");
+    for (const char* heading : {"phi", "xi", "eta", "f''"}) std::printf(" %-25s", heading);
+    std::printf("\n");
     for (const Method& m : methods_) {
       std::printf("  %-24s", m.name.c_str());
       for (const Quantity q : law_quantities) {
         const auto found = results_.methods.find({m.name, q});
         if (found == results_.methods.end()) {
-          std::printf(" %-22s", "-");
+          std::printf(" %-25s", "-");
         } else {
           const std::string cell =
               brief(found->second.max_error()) + " at " + brief_ratio(found->second.max_error_at());
-          std::printf(" %-22s", cell.c_str());
+          std::printf(" %-25s", cell.c_str());
         }
       }
       std::printf("\n");
@@ -204,6 +219,9 @@ class Study {
       const std::string& method = methods_[i].name;
       results_.methods[{method, q}].add(u, oracle.value, values[i]->value,
                                         quadrature_bound + values[i]->bound);
+      if (methods_[i].loses_digits) {
+        results_.to_all_digits[{method, q}].add(u, oracle.value, values[i]->value, quadrature_bound);
+      }
       errors[method] = brief(std::abs(values[i]->value / oracle.value - 1));
     }
     for (std::size_t i = row.size(); i < table.columns.size(); ++i) {

@@ -86,7 +86,7 @@ class Study {
                     pressure_.name + " pressure: it integrates to the normal force in both coordinates"));
     for (const Quantity q : law_quantities) {
       record.add(law_against_[static_cast<std::size_t>(q)].claim(
-          id + "radial." + name(q), "issue: any radial pressure",
+          id + "radial." + name(q), "LG03 (2.1)",
           std::string(name(q)) + ", " + pressure_.name +
               " pressure: RadialLaw agrees with the integral over the disc, in both coordinate systems"));
     }

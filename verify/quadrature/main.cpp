@@ -1,8 +1,8 @@
 // verify_quadrature [--out FOLDER]
 //
-// Point 0 of every other verification: Coulomb's law on each surface element, LG03 (2.1), integrated over the
-// disc by GSL's adaptive quadrature in both coordinate systems of the paper. The library, the paper's series
-// and closed forms, the textbook forms in elliptic integrals and the hypergeometric form are each held to it.
+// Coulomb's law on each surface element, LG03 (2.1), integrated over the disc by GSL's adaptive quadrature in
+// both coordinate systems of the paper. The library's laws, the paper's series and closed forms, the textbook
+// forms in elliptic integrals and the hypergeometric form are each held to it.
 #include <cstdio>
 #include <filesystem>
 #include <string_view>
