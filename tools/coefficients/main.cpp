@@ -2,7 +2,7 @@
 //
 //   generate_coefficients > lib/contensou/law/coefficients.hpp
 //
-// Every polynomial interpolates at Chebyshev points in 100-digit arithmetic; its degree is the least whose
+// Every polynomial interpolates at Chebyshev points in 50-digit arithmetic; its degree is the least whose
 // error, found on a dense grid, is below 2^-57 of the function. Nothing here is shared with the tables that
 // the laws are tested by.
 
@@ -15,7 +15,7 @@
 
 namespace {
 
-using Real = boost::multiprecision::cpp_bin_float_100;
+using Real = boost::multiprecision::cpp_bin_float_50;
 using Function = std::function<Real(const Real&)>;
 
 const Real pi = boost::math::constants::pi<Real>();
@@ -46,7 +46,7 @@ Elliptic elliptic(const Real& m) {
 }
 
 /// ξ, η and f'' of the uniform law as linear combinations of K and E (each with the textbook cancellation,
-/// which a hundred digits afford), so that the same combinations give the factors of the logarithm at u = 1.
+/// which fifty digits afford), so that the same combinations give the factors of the logarithm at u = 1.
 struct Law {
   Real xi;
   Real eta;
@@ -102,8 +102,8 @@ Law hertz_outer(const Real& u) {
 /// to `scale`.
 std::vector<Real> fit(const Function& f, const Function& scale, const Real& a, const Real& b, double& error,
                       double tolerance = 0x1p-57) {
-  const Real tiny("1e-20");
-  for (std::size_t n = 3; n < 40; ++n) {
+  const Real tiny("1e-9");
+  for (std::size_t n = 6; n < 40; ++n) {
     // Newton's divided differences at Chebyshev points, then expanded into powers of t.
     std::vector<Real> node(n);
     std::vector<Real> divided(n);
@@ -123,8 +123,8 @@ std::vector<Real> fit(const Function& f, const Function& scale, const Real& a, c
       c[0] = divided[j] - node[j] * c[0];
     }
     Real worst = 0;
-    for (int i = 0; i < 200; ++i) {
-      const Real t = a + (b - a) * (Real(i) + Real(1) / 3) / 200;
+    for (int i = 0; i < 100; ++i) {
+      const Real t = a + (b - a) * (Real(i) + Real(1) / 3) / 100;
       Real value = 0;
       for (std::size_t k = n; k-- > 0;) value = value * t + c[k];
       const Real error_here = abs((value - f(t)) / scale(t));
@@ -211,24 +211,30 @@ int main() {
     print(name + "_log", what + ": Q(y), factor of y^" + std::to_string(power) + " ln|y|", c, error);
   }
 
-  // Near u = 1, Hertz: outside = the inner polynomial + y^(5/2) Q(y) for ξ, η and + y^(3/2) Q(y) for f''.
-  for (const Quantity q : {force, torque, second}) {
-    const Real power = q == second ? Real(3) / 2 : Real(5) / 2;
+  // Near u = 1, Hertz: outside = the inner polynomial + y^(5/2) Q(y) for ξ and η. For f'' those two would
+  // cancel; there the whole, which is analytic in z = √y, is one polynomial in z.
+  for (const Quantity q : {force, torque}) {
+    const Function power = [](const Real& y) { return Real(y * y * sqrt(y)); };
     const Function whole = [&](const Real& y) { return pick(hertz_outer(u_of(y)), q); };
     const Function q_of = [&](const Real& y) {
-      return Real((whole(y) - pick(hertz_inner(u_of(y)), q)) / pow(y, power));
+      return Real((whole(y) - pick(hertz_inner(u_of(y)), q)) / power(y));
     };
-    const Function scale = [&](const Real& y) { return Real(whole(y) / pow(y, power)); };
+    const Function scale = [&](const Real& y) { return Real(whole(y) / power(y)); };
     double error = 0;
     const auto c = fit(q_of, scale, Real(0), near_end, error);
     print(std::string("hertz_near_") + name_of[q],
-          std::string("Hertz just outside u = 1, ") + name_of[q] + ": Q(y), factor of y^" +
-              (q == second ? "3/2" : "5/2"),
-          c, error);
+          std::string("Hertz just outside u = 1, ") + name_of[q] + ": Q(y), factor of y^5/2", c, error);
   }
+  const Function hertz_second = [&](const Real& z) {
+    const Real u = u_of(z * z);
+    return Real(hertz_outer(u).second * u * u * u);
+  };
+  double error = 0;
+  const auto hertz_near_second = fit(hertz_second, hertz_second, Real(0), sqrt(near_end), error);
+  print("hertz_near_second", "Hertz just outside u = 1, second: powers of √y", hertz_near_second, error);
+
   // A start for Newton's iteration in the batch laws, two steps from full accuracy.
   const Function inverse_root = [](const Real& m) { return Real(1 / sqrt(1 + m)); };
-  double error = 0;
   const auto start = fit(inverse_root, inverse_root, Real(0), Real(1), error, 0x1p-15);
   print("inverse_root", "(1 + m)^(-1/2) for 0 <= m <= 1", start, error);
   std::printf("\n}  // namespace contensou::coefficients\n");

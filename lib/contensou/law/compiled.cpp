@@ -11,7 +11,7 @@ namespace contensou {
 namespace {
 
 // Second derivatives are wanted for Newton matrices, not for reading off: they may be coarser than ξ and η.
-constexpr double second_tolerance_factor = 1e3;
+constexpr double second_tolerance_factor = 10;
 // The smallest gap of two different doubles is 2^-53: the piece at a kink (u = 1 always is one) ends below
 // it.
 constexpr double narrowest = 0x1p-54;

@@ -18,7 +18,7 @@ class CompiledLaw {
   using Form = std::function<BoundedForm(SlipRatio)>;
 
   /// `inner` and `outer` give the law for v <= s and for v > s.
-  /// `tolerance`: the relative error aimed at in ξ and η, 4e-16 to 1; second derivatives may be 1000 times
+  /// `tolerance`: the relative error aimed at in ξ and η, 4e-16 to 1; second derivatives may be ten times
   /// worse. `breaks`: values of u = v/s > 0 where the law is known to be less smooth (u = 1 is always one).
   /// Throws std::invalid_argument for a tolerance out of range, std::runtime_error where the law is noise at
   /// it.

@@ -19,20 +19,22 @@ struct Curvature {
   double ss;
 };
 
-/// Semi-axes of the friction ball in units of μλ_N: the largest ξ (without spin), the largest η (without sliding).
+/// Semi-axes of the friction ball in units of μλ_N: the largest ξ (without spin), the largest η (without
+/// sliding).
 struct Extent {
   double xi;
   double eta;
 };
 
-/// A friction law, exact or approximate: the friction as a function of the sliding speed v = ‖γ_T‖ >= 0 and the spin
-/// speed s = |γ_τ| = |ω|R >= 0, both in m/s, at most one of them infinite.
+/// A friction law, exact or approximate: the friction as a function of the sliding speed v = ‖γ_T‖ >= 0 and
+/// the spin speed s = |γ_τ| = |ω|R >= 0, both in m/s, at most one of them infinite.
 ///
-/// Laws that have no scale of their own depend on u = v/s only (LG03 (2.8)); taking v and s apart keeps 1 - u exact
-/// near u = 1, and 1/u exact for large u.
+/// Laws that have no scale of their own depend on u = v/s only (LG03 (2.8)); taking v and s apart keeps 1 - u
+/// exact near u = 1, and 1/u exact for large u.
 ///
 /// At v = s = 0 the friction is not a number but the whole set B_F; `at` and `curvature` then throw
-/// std::domain_error, as they do for NaN and negative arguments. `friction_force` (force.hpp) returns the set instead.
+/// std::domain_error, as they do for NaN and negative arguments. `friction_force` (force.hpp) returns the set
+/// instead.
 template <class L>
 concept FrictionLaw = requires(const L& law, double v, double s) {
   { law.at(v, s) } -> std::same_as<Friction>;
@@ -40,8 +42,8 @@ concept FrictionLaw = requires(const L& law, double v, double s) {
   { law.extent() } -> std::same_as<Extent>;
 };
 
-/// Φ/(μλ_N) [m/s]: the velocity pseudo-potential, LG03 (2.1). For a law that is homogeneous of degree one it is the
-/// dissipated power v ξ + s η (Euler); a law with a scale of its own brings its potential with it.
+/// Φ/(μλ_N) [m/s]: the velocity pseudo-potential, LG03 (2.1). For a law that is homogeneous of degree one it
+/// is the dissipated power v ξ + s η (Euler); a law with a scale of its own brings its potential with it.
 template <FrictionLaw L>
 double potential(const L& law, double v, double s) {
   if constexpr (requires { law.potential(v, s); }) {
@@ -59,9 +61,8 @@ struct Reduced {
   double eta;
 };
 
-/// The law at u = v/|ωR| in [0, ∞]; u = 0 is pure spin, u = ∞ pure sliding. A law with a velocity scale of its own is
-/// taken at √(v² + (ωR)²) = 1 m/s.
-/// Throws std::domain_error for NaN or negative u.
+/// The law at u = v/|ωR| in [0, ∞]; u = 0 is pure spin, u = ∞ pure sliding. A law with a velocity scale of
+/// its own is taken at √(v² + (ωR)²) = 1 m/s. Throws std::domain_error for NaN or negative u.
 template <FrictionLaw L>
 Reduced reduced(const L& law, double u) {
   if constexpr (requires { law.potential(u, u); }) {

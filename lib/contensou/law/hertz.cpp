@@ -17,11 +17,12 @@ constexpr auto near_seam = interleave(c::hertz_near_force, c::hertz_near_torque)
 
 constexpr double pi_3_128 = 3 * std::numbers::pi / 128;
 
-/// Outside u = 1 the law is the inner polynomial + y^k Q(y), k = 5/2, 3/2 for f'', in y = (u − 1)/(u + 1), up to u = 4/3;
-/// further out it is a power series in 1/u².
+/// Outside u = 1 the law is the inner polynomial + y^{5/2} Q(y) in y = (u − 1)/(u + 1), and f'' a polynomial
+/// in √y, up to u = 4/3; further out it is a power series in 1/u².
 constexpr double seam = 0.75;
 
-/// The inner polynomials in mc = 1 − u², all of whose terms have one sign for u <= 1: (3.17), (3.18) without cancellation.
+/// The inner polynomials in mc = 1 − u², all of whose terms have one sign for u <= 1: (3.17), (3.18) without
+/// cancellation.
 double force_over_u(double mc) { return pi_3_128 * (12 + 4 * mc); }
 double torque(double mc) { return pi_3_128 * (3 + mc * (2 + 3 * mc)); }
 double second(double mc) { return pi_3_128 * (4 + 12 * mc); }
@@ -57,9 +58,7 @@ Curvature HertzLaw::curvature(double v, double s) const {
       v, s, [](SlipRatio u) { return second(u.gap * (1 + u.x)); },
       [](SlipRatio w) {
         if (w.x <= seam) return evaluate(c::hertz_outer_second, w.x * w.x);
-        const double y = w.gap / (1 + w.x);
-        const double mc = -w.gap * (1 + w.x) / (w.x * w.x);
-        return (second(mc) + y * std::sqrt(y) * evaluate(c::hertz_near_second, y)) / (w.x * w.x * w.x);
+        return evaluate(c::hertz_near_second, std::sqrt(w.gap / (1 + w.x)));
       });
 }
 

@@ -5,7 +5,8 @@
 
 namespace contensou {
 
-/// Two polynomials of the same argument side by side: what one costs, both cost where the machine has two lanes.
+/// Two polynomials of the same argument side by side: what one costs, both cost where the machine has two
+/// lanes.
 using Lanes = double __attribute__((vector_size(16)));
 
 /// Coefficients of two polynomials interleaved, the shorter filled up with zeros.
@@ -31,8 +32,8 @@ inline Lanes horner(const std::array<std::array<double, 2>, N>& c, double t) {
 
 }  // namespace detail
 
-/// Σ c_k t^k for both lanes. Four interleaved chains keep the latency down; the lowest power is added last, so that where
-/// it dominates the result is good to little more than half an ulp.
+/// Σ c_k t^k for both lanes. Four interleaved chains keep the latency down; the lowest power is added last,
+/// so that where it dominates the result is good to little more than half an ulp.
 template <std::size_t N>
 inline Lanes evaluate(const std::array<std::array<double, 2>, N>& c, double t) {
   static_assert(N >= 8);

@@ -16,8 +16,8 @@ constexpr auto outer_far = interleave(c::uniform_outer_force, c::uniform_outer_t
 constexpr auto near_seam = interleave(c::uniform_near_force, c::uniform_near_torque);
 constexpr auto near_seam_log = interleave(c::uniform_near_force_log, c::uniform_near_torque_log);
 
-/// The seam: for u in (3/4, 4/3) the laws are P(y) + y^k ln|y| Q(y) in y = (u − 1)/(u + 1), with the same analytic P and Q
-/// on both sides; further away they are power series in u² or 1/u².
+/// The seam: for u in (3/4, 4/3) the laws are P(y) + y^k ln|y| Q(y) in y = (u − 1)/(u + 1), with the same
+/// analytic P and Q on both sides; further away they are power series in u² or 1/u².
 constexpr double seam = 0.75;
 
 /// y ln|y|, with its limit 0 at the seam itself.
