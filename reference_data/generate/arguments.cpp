@@ -46,7 +46,8 @@ double draw(Random& random, int exponent, int unit) {
   return std::ldexp(static_cast<double>((std::uint64_t{1} << width) + fraction), exponent - width);
 }
 
-/// Where a range's numbers come from: directly (origin 0), or as 1 − d, 1 + d with d a multiple of the spacing there.
+/// Where a range's numbers come from: directly (origin 0), or as 1 − d, 1 + d with d a multiple of the
+/// spacing there.
 enum class Around { zero, below_one, above_one };
 
 constexpr std::size_t count = 250;
@@ -56,7 +57,9 @@ std::vector<double> fill(Around around, double first, double last, std::uint64_t
   std::set<double> u = {first, last};
   const bool seam = around != Around::zero;
   const int unit = around == Around::zero ? -1074 : around == Around::below_one ? -53 : -52;
-  const double near = around == Around::below_one ? 1 - last : around == Around::above_one ? first - 1 : first;
+  const double near = around == Around::below_one   ? 1 - last
+                      : around == Around::above_one ? first - 1
+                                                    : first;
   const double far = around == Around::below_one ? 1 - first : around == Around::above_one ? last - 1 : last;
   while (u.size() < count) {
     const double distance = draw(random, random.integer(std::ilogb(near), std::ilogb(far)), unit);

@@ -6,8 +6,8 @@ namespace reference {
 
 namespace {
 
-/// sin² t and cos² t counted from the end of the chord's range, t = π/2 − θ (or π/2 − a), where the integrands are steep
-/// and which must therefore be an exact endpoint: here sin t = cos θ.
+/// sin² t and cos² t counted from the end of the chord's range, t = π/2 − θ (or π/2 − a), where the
+/// integrands are steep and which must therefore be an exact endpoint: here sin t = cos θ.
 struct Sines {
   Box sine;
   Box sine_squared;
@@ -83,7 +83,7 @@ Ball power_of_cosine(const Ball& exponent) {
 
 Scaled by_chord_integrals(const Ball& n, const Argument& at) {
   const long bits = at.u.bits();
-  const Ball length = (n + 1.0) * beta(Ball(0.5, bits), n + 1.0) / pi(bits);   // from ∫ (1−s²)ⁿ ds
+  const Ball length = (n + 1.0) * beta(Ball(0.5, bits), n + 1.0) / pi(bits);  // from ∫ (1−s²)ⁿ ds
   const Ball moment = (n + 1.0) * beta(Ball(1.5, bits), n + 1.0) / pi(bits);  // from ∫ s² (1−s²)ⁿ ds
   if (at.value == 1) {
     const Ball common = power_of_cosine(2.0 * n + 3.0);
@@ -93,7 +93,8 @@ Scaled by_chord_integrals(const Ball& n, const Argument& at) {
     return {length * inner(at, Weight::along, n + 0.5), moment * inner(at, Weight::one, n + 1.5),
             length * inner(at, Weight::across, n + 0.5)};
   }
-  return {length * outer(at, Weight::one, 2.0 * n + 2.0, false), moment * outer(at, Weight::one, 2.0 * n + 4.0, true),
+  return {length * outer(at, Weight::one, 2.0 * n + 2.0, false),
+          moment * outer(at, Weight::one, 2.0 * n + 4.0, true),
           length * outer(at, Weight::across, 2.0 * n + 2.0, true)};
 }
 

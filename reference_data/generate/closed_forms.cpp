@@ -50,7 +50,8 @@ Scaled hertz_closed_form(const Argument& at) {
   }
   const Ball angle = asin(1.0 / u);
   const Ball root = sqrt((u - 1.0) * (u + 1.0));
-  const Ball force = Ball(3.0, u.bits()) / 16.0 / u * (square * (4.0 - square) * angle + (square + 2.0) * root);
+  const Ball force =
+      Ball(3.0, u.bits()) / 16.0 / u * (square * (4.0 - square) * angle + (square + 2.0) * root);
   const Ball torque = Ball(3.0, u.bits()) / 64.0 *
                       ((3.0 * fourth - 8.0 * square + 8.0) * angle + (6.0 - 3.0 * square) * root);
   const Ball second =

@@ -46,7 +46,8 @@ void round_scaled(Integer& quotient, const Integer& mantissa, long binary, long 
   if (half > 0 || (half == 0 && fmpz_is_odd(quotient.raw()))) fmpz_add_ui(quotient.raw(), quotient.raw(), 1);
 }
 
-/// The number itself, exactly a binary fraction, to `digits` decimals; in integers, so that nothing is left to proof.
+/// The number itself, exactly a binary fraction, to `digits` decimals; in integers, so that nothing is left
+/// to proof.
 std::string rounded(arf_srcptr x, int digits) {
   Integer mantissa;
   Integer exponent;
@@ -56,17 +57,20 @@ std::string rounded(arf_srcptr x, int digits) {
   fmpz_pow_ui(limit.raw(), limit.raw(), static_cast<unsigned long>(digits));
 
   const double log2_x = static_cast<double>(fmpz_bits(mantissa.raw())) + static_cast<double>(binary);
-  long ten = static_cast<long>(std::floor((log2_x - 1) * std::log10(2.0))) - 1;  // at most the decimal exponent
+  long ten =
+      static_cast<long>(std::floor((log2_x - 1) * std::log10(2.0))) - 1;  // at most the decimal exponent
   Integer quotient;
   for (;; ++ten) {
     round_scaled(quotient, mantissa, binary, digits - 1 - ten);
     if (fmpz_cmp(quotient.raw(), limit.raw()) < 0) break;
   }
   char* text = fmpz_get_str(nullptr, 10, quotient.raw());
-  std::string decimal = text;
+  std::string decimal;
+  if (fmpz_sgn(mantissa.raw()) < 0) decimal += '-';
+  decimal += text[0];
+  decimal += '.';
+  decimal += text + 1;
   flint_free(text);
-  decimal.insert(1, ".");
-  if (fmpz_sgn(mantissa.raw()) < 0) decimal.insert(0, "-");
   const std::string magnitude = std::to_string(std::abs(ten));
   decimal += ten < 0 ? "e-" : "e+";
   if (magnitude.size() < 2) decimal += '0';
@@ -93,7 +97,8 @@ struct Ends {
 
 }  // namespace
 
-// Rounding never reverses an order: if both ends of the ball round to the same decimal, so does all between them.
+// Rounding never reverses an order: if both ends of the ball round to the same decimal, so does all between
+// them.
 std::optional<std::string> correctly_rounded(const Ball& value, int digits) {
   if (!arb_is_finite(value.raw())) return std::nullopt;
   if (arb_is_zero(value.raw())) return "0";
@@ -107,7 +112,8 @@ std::optional<std::string> correctly_rounded(const Ball& value, int digits) {
 double nearest_double(const Ball& value) {
   const Ends ends(value);
   const double lower = arf_get_d(ends.lower, ARF_RND_NEAR);
-  if (lower != arf_get_d(ends.upper, ARF_RND_NEAR)) throw std::runtime_error("the nearest double is not settled");
+  if (lower != arf_get_d(ends.upper, ARF_RND_NEAR))
+    throw std::runtime_error("the nearest double is not settled");
   return lower;
 }
 

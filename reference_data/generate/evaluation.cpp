@@ -24,16 +24,18 @@ namespace {
 /// log2 of radius/|value|, an upper estimate.
 double relative_radius(const Ball& x) { return -static_cast<double>(arb_rel_accuracy_bits(x.raw())); }
 
-/// Two enclosures of one number: they must meet, and the second must be narrow enough for that to say something about
-/// the first thirty digits (2^-100 < 10^-30).
-void agree(double n, double u, const std::string& route, const Ball& stored, const Ball& other, double& widest) {
+/// Two enclosures of one number: they must meet, and the second must be narrow enough for that to say
+/// something about the first thirty digits (2^-100 < 10^-30).
+void agree(double n, double u, const std::string& route, const Ball& stored, const Ball& other,
+           double& widest) {
   constexpr double thirty_digits = -100;
   widest = std::max(widest, relative_radius(other));
   if (!overlap(stored, other)) fail(n, u, route + " and hypergeometric balls do not meet");
   if (relative_radius(other) > thirty_digits) fail(n, u, route + " ball is too wide to prove anything");
 }
 
-void agree(double n, double u, const std::string& route, const Scaled& stored, const Scaled& other, double& widest) {
+void agree(double n, double u, const std::string& route, const Scaled& stored, const Scaled& other,
+           double& widest) {
   agree(n, u, route + " force", stored.force, other.force, widest);
   agree(n, u, route + " torque", stored.torque, other.torque, widest);
   agree(n, u, route + " second derivative", stored.second, other.second, widest);
@@ -84,18 +86,21 @@ Entries evaluate(double n, double u, Checks checks, Proof& proof) {
 
   const Argument at(u, bits);
   const Scaled& stored = settled->scaled;
-  const Ball euler = at.inner ? at.u * at.u * stored.force + stored.torque : stored.force + at.m * stored.torque;
+  const Ball euler =
+      at.inner ? at.u * at.u * stored.force + stored.torque : stored.force + at.m * stored.torque;
   if (!overlap(settled->potential, euler)) fail(n, u, "f = u xi + eta does not hold");
 
   if (u != 0 && n == 0 && u != 1) {
-    agree(n, u, "elliptic", stored, uniform_closed_form(Argument(u, closed_form_bits(u))), proof.widest_closed);
+    agree(n, u, "elliptic", stored, uniform_closed_form(Argument(u, closed_form_bits(u))),
+          proof.widest_closed);
     ++proof.closed;
   }
   if (u != 0 && n == 0.5) {
-    agree(n, u, "elementary", stored, hertz_closed_form(Argument(u, closed_form_bits(u))), proof.widest_closed);
+    agree(n, u, "elementary", stored, hertz_closed_form(Argument(u, closed_form_bits(u))),
+          proof.widest_closed);
     ++proof.closed;
   }
-  constexpr long integration_bits = 144;
+  constexpr long integration_bits = 128;
   if (checks.chords) {
     agree(n, u, "chord", stored, by_chord_integrals(Ball(n, integration_bits), Argument(u, integration_bits)),
           proof.widest_chord);

@@ -21,7 +21,8 @@ Ball integrate(const Integrand& g, const Ball& lower, const Ball& upper) {
   acb_set_arb(from.raw(), lower.raw());
   acb_set_arb(to.raw(), upper.raw());
 
-  mag_t tolerance;  // absolute; far below the relative goal for all our integrals (> 1e-10), it only stops the bisection
+  mag_t tolerance;  // absolute; far below the relative goal for all our integrals (> 1e-10), it only stops
+                    // the bisection
   mag_init(tolerance);
   mag_set_ui_2exp_si(tolerance, 1, -(bits + 40));
   acb_calc_integrate_opt_t options;

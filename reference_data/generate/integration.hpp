@@ -27,15 +27,15 @@ class Box {
   acb_t value_;
 };
 
-/// Puts an enclosure of the integrand on the box `at` into `out`. Where `analytic`, the enclosure must be infinite
-/// unless the integrand is analytic on the whole box.
+/// Puts an enclosure of the integrand on the box `at` into `out`. Where `analytic`, the enclosure must be
+/// infinite unless the integrand is analytic on the whole box.
 using Integrand = std::function<void(acb_ptr out, acb_srcptr at, bool analytic, long bits)>;
 
 /// Encloses ∫_lower^upper g(t) dt, g real on the real interval.
 Ball integrate(const Integrand& g, const Ball& lower, const Ball& upper);
 
-/// base^exponent on a box, exponent >= 0; on a box that touches zero still finite where the integrand need not be
-/// analytic (an interval that ends at a branch point).
+/// base^exponent on a box, exponent >= 0; on a box that touches zero still finite where the integrand need
+/// not be analytic (an interval that ends at a branch point).
 void power_on_box(acb_ptr out, acb_srcptr base, const Ball& exponent, bool analytic, long bits);
 
 }  // namespace reference

@@ -6,16 +6,19 @@
 
 #include <flint.h>
 
+#include <algorithm>
+#include <atomic>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <fstream>
-#include <limits>
+#include <functional>
+#include <mutex>
 #include <stdexcept>
 #include <string>
-#include <utility>
+#include <thread>
 #include <vector>
 
 #include "arguments.hpp"
@@ -34,8 +37,8 @@ struct Pressure {
 
 const std::vector<Pressure> pressures = [] {
   std::vector<Pressure> all = {{"uniform", "uniform pressure", 0}, {"hertz", "Hertz pressure", 0.5}};
-  for (const char* name : {"-0.99", "-0.9", "-0.5", "-0.25", "0.25", "0.75", "1", "1.5", "2", "3.3", "5", "20", "100",
-                           "1000", "1e6"}) {
+  for (const char* name : {"-0.99", "-0.9", "-0.5", "-0.25", "0.25", "0.75", "1", "1.5", "2", "3.3", "5",
+                           "20", "100", "1000", "1e6"}) {
     double n = 0;
     const std::string text = name;
     std::from_chars(text.data(), text.data() + text.size(), n);
@@ -51,20 +54,26 @@ std::string shortest(double x) {
 
 std::string exactly(double x) {
   char text[64];
-  const std::string magnitude(text, std::to_chars(text, text + sizeof text, std::abs(x), std::chars_format::hex).ptr);
-  return (x < 0 ? "-0x" : "0x") + magnitude;
+  const std::string magnitude(
+      text, std::to_chars(text, text + sizeof text, std::abs(x), std::chars_format::hex).ptr);
+  std::string prefix = x < 0 ? "-0x" : "0x";
+  return prefix.append(magnitude);
 }
 
 std::string header(const Pressure& pressure, const std::string& about) {
   return "# Coulomb-Contensou friction, " + pressure.title + ": " + about +
          "\n"
-         "# n = " + shortest(pressure.n) + " (exactly " + exactly(pressure.n) +
+         "# n = " +
+         shortest(pressure.n) + " (exactly " + exactly(pressure.n) +
          ")\n"
          "# sigma = (n+1) lambda_N/(pi R^2) (1 - rho^2/R^2)^n; Phi after Leine & Glocker (2003), LG03 (2.1)\n"
          "# units: dimensionless\n"
-         "# precision: 34 significant digits, each entry correctly rounded (to nearest); proved by interval arithmetic\n"
-         "# u = |v|/(|omega| R): the double itself, shortest decimal that reads back to it; all entries belong to it exactly\n"
-         "# phi = Phi/(mu lambda_N sqrt(v^2 + (omega R)^2)) = f/sqrt(1 + u^2), f(u) = Phi/(mu lambda_N |omega| R)\n"
+         "# precision: 34 significant digits, each entry correctly rounded (to nearest); proved by interval "
+         "arithmetic\n"
+         "# u = |v|/(|omega| R): the double itself, shortest decimal that reads back to it; all entries "
+         "belong to it exactly\n"
+         "# phi = Phi/(mu lambda_N sqrt(v^2 + (omega R)^2)) = f/sqrt(1 + u^2), f(u) = Phi/(mu lambda_N "
+         "|omega| R)\n"
          "# xi = |lambda_T|/(mu lambda_N) = f'(u)\n"
          "# eta = |tau_N|/(mu lambda_N R) = f - u f'(u)\n"
          "# f2 = f''(u) for u <= 1, u^3 f''(u) for u > 1 (limit 1/(2(2+n)) at u = inf)\n"
@@ -78,18 +87,23 @@ std::string row(double u, const Entries& entries) {
   return line + '\n';
 }
 
-/// The chord integrals for every row; the rings, which are slow and need n >= 0, for a few well inside.
+/// The chord integrals for every row; the rings, which are slow and need n >= 0, for a few.
 std::string law_table(const Pressure& pressure, Proof& proof) {
   std::string text = header(pressure, "phi, xi, eta, f'' over u") + "u\tphi\txi\teta\tf2\n";
-  const std::vector<double> ring_checks = {};
+  const std::vector<double> ring_checks = {0.1, 0.75, 1, 1.25};
+  Entries last;
   for (const double u : reference::law_arguments()) {
     if (std::isinf(u)) {
-      text += row(u, reference::at_infinity(pressure.n));
+      // At the largest double f'' has its limit to six hundred digits.
+      const Entries limit = reference::at_infinity(pressure.n);
+      if (limit.back() != last.back()) throw std::runtime_error("the limit of u^3 f'' is not 1/(2(2+n))");
+      text += row(u, limit);
       continue;
     }
     bool rings = false;
     for (const double chosen : ring_checks) rings = rings || (u == chosen && pressure.n >= 0);
-    text += row(u, evaluate(pressure.n, u, {.chords = true, .rings = rings}, proof));
+    last = evaluate(pressure.n, u, {.chords = true, .rings = rings}, proof);
+    text += row(u, last);
   }
   return text;
 }
@@ -127,19 +141,53 @@ void write(const std::filesystem::path& path, const std::string& text) {
   if (!file) throw std::runtime_error("cannot write " + path.string());
 }
 
-void run(const std::filesystem::path& folder) {
-  std::vector<std::pair<std::string, std::string>> files;
+struct Job {
+  std::string file;
+  std::function<std::string(Proof&)> table;
+  std::string text = {};
+};
+
+std::vector<Job> all_tables() {
+  std::vector<Job> jobs;
   for (const Pressure& pressure : pressures) {
-    Proof proof;
-    files.emplace_back("laws/" + pressure.file + ".tsv", law_table(pressure, proof));
-    say(files.back().first, proof);
+    jobs.push_back(
+        {"laws/" + pressure.file + ".tsv", [&pressure](Proof& proof) { return law_table(pressure, proof); }});
   }
-  for (std::size_t i = 0; i < 2; ++i) {
-    Proof proof;
-    files.emplace_back("accuracy/" + pressures[i].file + ".tsv", accuracy_table(pressures[i], proof));
-    say(files.back().first, proof);
+  for (const Pressure& pressure : {std::cref(pressures[0]), std::cref(pressures[1])}) {
+    jobs.push_back({"accuracy/" + pressure.file + ".tsv",
+                    [&pressure](Proof& proof) { return accuracy_table(pressure, proof); }});
   }
-  for (const auto& [name, text] : files) write(folder / name, text);
+  return jobs;
+}
+
+/// The tables share nothing, so that each comes out the same whichever thread makes it and whenever.
+void run(const std::filesystem::path& folder) {
+  std::vector<Job> jobs = all_tables();
+  std::atomic<std::size_t> next = 0;
+  std::mutex report;
+  std::exception_ptr failure;
+  const auto work = [&] {
+    for (std::size_t i = next++; i < jobs.size(); i = next++) {
+      Job& job = jobs[i];
+      Proof proof;
+      try {
+        job.text = job.table(proof);
+        const std::lock_guard lock(report);
+        say(job.file, proof);
+      } catch (...) {
+        const std::lock_guard lock(report);
+        failure = std::current_exception();
+        next = jobs.size();
+      }
+    }
+    flint_cleanup();
+  };
+  {
+    std::vector<std::jthread> threads(std::clamp(std::thread::hardware_concurrency(), 1u, 8u));
+    for (auto& thread : threads) thread = std::jthread(work);
+  }
+  if (failure) std::rethrow_exception(failure);
+  for (const Job& job : jobs) write(folder / job.file, job.text);
 }
 
 }  // namespace
@@ -156,6 +204,5 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "nothing written: %s\n", error.what());
     status = 1;
   }
-  flint_cleanup();
   return status;
 }

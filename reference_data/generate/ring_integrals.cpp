@@ -2,14 +2,16 @@
 
 #include <acb_elliptic.h>
 
+#include <algorithm>
+
 #include "integration.hpp"
 
 namespace reference {
 
 namespace {
 
-/// Does the box touch the branch cut [1, ∞) of K and E? (Boxes that reach beyond Re m = 1 without touching it do not
-/// arise, as all boxes lie about a real interval; they are counted as touching.)
+/// Does the box touch the branch cut [1, ∞) of K and E? (Boxes that reach beyond Re m = 1 without touching it
+/// do not arise, as all boxes lie about a real interval; they are counted as touching.)
 bool on_cut(acb_srcptr m) {
   Ball distance(64);
   arb_sub_ui(distance.raw(), acb_realref(m), 1, 64);
@@ -28,8 +30,11 @@ void set_disc(acb_ptr out, const Ball& radius) {
   arb_add_error(acb_imagref(out), radius.raw());
 }
 
-/// Wider than a point that is only rounded?
-bool is_wide(acb_srcptr m, long bits) { return acb_rel_accuracy_bits(m) < bits / 2; }
+/// Wider than a point that is only rounded, as seen from either end of 0 <= m <= 1?
+bool is_wide(acb_srcptr m, acb_srcptr complement) {
+  constexpr long point_bits = 16;
+  return std::min(acb_rel_accuracy_bits(m), acb_rel_accuracy_bits(complement)) < point_bits;
+}
 
 /// E and E − (1−m) K of parameter m = x², 0 <= x <= 1 on the real line.
 struct Elliptic {
@@ -51,18 +56,19 @@ Elliptic elliptic(acb_srcptr m, bool analytic, long bits) {
     }
     return r;
   }
-  if (is_wide(m, bits)) {
-    // Arb's E and K are of little use on wide boxes; the integration needs a bound there, not a value. As Re m <= 1,
-    // |E| = |∫ √(1 − m sin²)| <= (π/2) √(1 + |m|) and |E − (1−m) K| = |m ∫ cos²/√(1 − m sin²)| <= |m|.
+  Box complement;  // m − 1
+  acb_sub_ui(complement.raw(), m, 1, bits);
+  if (is_wide(m, complement.raw())) {
+    // Arb's E and K are of little use on wide boxes; the integration needs a bound there, not a value. As Re
+    // m <= 1, |E| = |∫ √(1 − m sin²)| <= (π/2) √(1 + |m|) and |E − (1−m) K| = |m ∫ cos²/√(1 − m sin²)| <=
+    // |m|.
     Ball size(bits);
     acb_abs(size.raw(), m, bits);
     set_disc(r.e.raw(), pi(bits) / 2.0 * sqrt(1.0 + size));
     set_disc(r.difference.raw(), size);
     return r;
   }
-  Box complement;
   Box k;
-  acb_sub_ui(complement.raw(), m, 1, bits);
   acb_elliptic_k(k.raw(), m, bits);
   acb_elliptic_e(r.e.raw(), m, bits);
   acb_mul(r.difference.raw(), complement.raw(), k.raw(), bits);
