@@ -2,20 +2,21 @@
 #
 # Calls run one way: scene -> system -> integrate -> contact -> ball -> law, and out to output. A file may include its
 # own layer and those below it; output stands apart: it may be included by scene, system and integrate, which report,
-# but not by contact, ball and law, which only compute, and it includes nothing but itself. Outside its own headers the
+# but not by contact, ball and law, which only compute, and it includes only text, the one folder that everything may use. Outside its own headers the
 # library knows the standard library, Eigen and Boost. GSL, being GPL, is for the programs around it.
 #
 # Usage: cmake -DLIBRARY=.../lib/contensou -P includes.cmake
 
 cmake_minimum_required(VERSION 3.25)
 
-set(law_may law)
+set(text_may text)
+set(law_may law text)
 set(ball_may ball ${law_may})
 set(contact_may contact ${ball_may})
 set(integrate_may integrate output ${contact_may})
 set(system_may system ${integrate_may})
 set(scene_may scene ${system_may})
-set(output_may output)
+set(output_may output text)
 
 # Headers of the standard library carry neither dot nor slash; these are the others that a file may include.
 set(foreign_allowed "^(Eigen|boost)/|^immintrin\\.h$")

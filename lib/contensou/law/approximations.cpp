@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "contensou/law/number_text.hpp"
 #include "contensou/law/slip_ratio.hpp"
+#include "contensou/text/number.hpp"
 
 namespace contensou {
 namespace {
@@ -16,7 +16,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double positive(const char* what, double x) {
   if (!(x > 0 && std::isfinite(x))) {
-    throw std::invalid_argument(std::string(what) + " " + number_text(x) + ": expected a finite number > 0");
+    throw std::invalid_argument(std::string(what) + " " + to_text(x) + ": expected a finite number > 0");
   }
   return x;
 }

@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "contensou/text/number.hpp"
+
 namespace contensou {
 namespace {
 
@@ -58,8 +60,7 @@ CompiledLaw::CompiledLaw(const Form& inner, const Form& outer, Extent extent, do
                          const std::vector<double>& breaks)
     : extent_(extent) {
   if (!(tolerance >= 4e-16 && tolerance < 1)) {
-    throw std::invalid_argument("compiled law: tolerance " + std::to_string(tolerance) +
-                                ", expected 4e-16 to 1");
+    throw std::invalid_argument("compiled law: tolerance " + to_text(tolerance) + ", expected 4e-16 to 1");
   }
   std::vector<double> inside;
   std::vector<double> outside;
@@ -121,7 +122,7 @@ CompiledLaw::Half CompiledLaw::compile(const std::function<BoundedForm(double)>&
       half.left.push_back(a);
       half.pieces.push_back(piece);
       if (half.pieces.size() > most_pieces) {
-        throw std::runtime_error("compiled law: tolerance " + std::to_string(tolerance) +
+        throw std::runtime_error("compiled law: tolerance " + to_text(tolerance) +
                                  " is below the law's noise");
       }
     } else {

@@ -5,13 +5,13 @@
 #include <string>
 #include <utility>
 
-#include "contensou/law/number_text.hpp"
+#include "contensou/text/number.hpp"
 
 namespace contensou {
 namespace {
 
 [[noreturn]] void reject(const char* what, double x, const char* expected) {
-  throw std::invalid_argument(std::string(what) + " " + number_text(x) + ": expected " + expected);
+  throw std::invalid_argument(std::string(what) + " " + to_text(x) + ": expected " + expected);
 }
 
 /// (1 − ν²)/E [1/Pa], zero for a rigid body.
@@ -37,7 +37,7 @@ double relative_radius(const ElasticBody& a, const ElasticBody& b) {
   double large = b.radius;
   if (std::abs(small) > std::abs(large)) std::swap(small, large);
   if (!(small > 0 && small + large != 0) || std::isinf(small)) {
-    throw std::invalid_argument("radii " + number_text(a.radius) + " and " + number_text(b.radius) +
+    throw std::invalid_argument("radii " + to_text(a.radius) + " and " + to_text(b.radius) +
                                 ": the bodies conform, there is no point contact");
   }
   if (std::isinf(large)) return small;

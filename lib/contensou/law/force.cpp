@@ -7,14 +7,14 @@
 #include <string>
 #include <utility>
 
-#include "contensou/law/number_text.hpp"
+#include "contensou/text/number.hpp"
 
 namespace contensou::detail {
 namespace {
 
 double checked(const char* name, double x) {
   if (!(x >= 0 && std::isfinite(x))) {
-    throw std::invalid_argument(std::string(name) + " " + number_text(x) + ": expected a finite number >= 0");
+    throw std::invalid_argument(std::string(name) + " " + to_text(x) + ": expected a finite number >= 0");
   }
   return x;
 }
@@ -68,8 +68,8 @@ ScaledSlip scaled(const SlipVelocity& gamma, bool free) {
   ScaledSlip slip{};
   if (!(comfortable(largest_t) && comfortable(spin_speed) && !std::isnan(t1 + t2))) {
     if (!gamma.allFinite()) {
-      throw std::domain_error("slip velocity (" + number_text(gamma[0]) + ", " + number_text(gamma[1]) +
-                              ", " + number_text(gamma[2]) + "): expected finite numbers");
+      throw std::domain_error("slip velocity (" + to_text(gamma[0]) + ", " + to_text(gamma[1]) + ", " +
+                              to_text(gamma[2]) + "): expected finite numbers");
     }
     // The tangential part has its own exponent, so that its length and direction do not suffer from being
     // small.

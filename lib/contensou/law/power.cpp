@@ -9,6 +9,7 @@
 #include <string>
 
 #include "contensou/law/slip_ratio.hpp"
+#include "contensou/text/number.hpp"
 
 namespace contensou {
 namespace {
@@ -76,7 +77,7 @@ double beta_with_half(double a) {  // B(a, 1/2)
 
 PowerQuadrature::PowerQuadrature(double n) : n_(n) {
   if (!(n > -1 && n <= largest_n)) {
-    throw std::invalid_argument("power law: exponent " + std::to_string(n) + ", expected -1 < n <= 1e6");
+    throw std::invalid_argument("power law: exponent " + to_text(n) + ", expected -1 < n <= 1e6");
   }
   xi_scale_ = std::sqrt(std::numbers::pi) / boost::math::tgamma_delta_ratio(n + 1.5, 0.5);
   eta_scale_ = xi_scale_ / (2 * n + 3);

@@ -5,13 +5,13 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "contensou/law/number_text.hpp"
+#include "contensou/text/number.hpp"
 
 namespace contensou {
 
 PowerLimits power_limits(double n) {
   if (!(n > -1) || !std::isfinite(n)) {
-    throw std::invalid_argument("pressure exponent " + number_text(n) + ": expected a finite number > -1");
+    throw std::invalid_argument("pressure exponent " + to_text(n) + ": expected a finite number > -1");
   }
   const double tail = 1 / (2 * (2 + n));
   if (n == 0.0) return {2.0 / 3.0, 1.0, tail};

@@ -10,6 +10,8 @@
 #include <string>
 #include <utility>
 
+#include "contensou/text/number.hpp"
+
 namespace contensou {
 namespace {
 
@@ -49,16 +51,15 @@ RadialPressure tabulated_pressure(std::vector<double> rho, std::vector<double> s
   for (std::size_t i = 0; i < rho.size(); ++i) {
     const std::string entry = "tabulated pressure, entry " + std::to_string(i + 1) + ": ";
     if (!(sigma[i] >= 0 && std::isfinite(sigma[i]))) {
-      throw std::invalid_argument(entry + "sigma = " + std::to_string(sigma[i]) +
-                                  ", expected a finite number >= 0");
+      throw std::invalid_argument(entry + "sigma = " + to_text(sigma[i]) + ", expected a finite number >= 0");
     }
     if (!(i == 0 ? rho[i] == 0 : rho[i] > rho[i - 1])) {
-      throw std::invalid_argument(entry + "rho = " + std::to_string(rho[i]) +
+      throw std::invalid_argument(entry + "rho = " + to_text(rho[i]) +
                                   ", expected radii that begin at 0 and increase");
     }
   }
   if (rho.back() != 1) {
-    throw std::invalid_argument("tabulated pressure: the last rho is " + std::to_string(rho.back()) +
+    throw std::invalid_argument("tabulated pressure: the last rho is " + to_text(rho.back()) +
                                 ", expected 1");
   }
   std::vector<double> breaks(rho.begin() + 1, rho.end() - 1);
@@ -74,7 +75,7 @@ RadialPressure tabulated_pressure(std::vector<double> rho, std::vector<double> s
 RadialLaw::RadialLaw(RadialPressure pressure) : pressure_(std::move(pressure)) {
   for (const double b : pressure_.breaks) {
     if (!(b > 0 && b < 1)) {
-      throw std::invalid_argument("radial pressure: break at " + std::to_string(b) +
+      throw std::invalid_argument("radial pressure: break at " + to_text(b) +
                                   ", expected a radius in (0, 1)");
     }
   }
@@ -84,13 +85,13 @@ RadialLaw::RadialLaw(RadialPressure pressure) : pressure_(std::move(pressure)) {
   load_ = integral(0, [this](double rho) {
     const double sigma = pressure_.sigma(rho);
     if (!(sigma >= 0 && std::isfinite(sigma))) {
-      throw std::invalid_argument("radial pressure: sigma(" + std::to_string(rho) +
-                                  ") = " + std::to_string(sigma) + ", expected a finite number >= 0");
+      throw std::invalid_argument("radial pressure: sigma(" + to_text(rho) + ") = " + to_text(sigma) +
+                                  ", expected a finite number >= 0");
     }
     return sigma * rho;
   });
   if (!(load_ > 0 && std::isfinite(load_))) {
-    throw std::invalid_argument("radial pressure: its integral over the patch is " + std::to_string(load_) +
+    throw std::invalid_argument("radial pressure: its integral over the patch is " + to_text(load_) +
                                 ", expected a finite number > 0");
   }
   eta_max_ = inner({0, 1}, Quantity::torque);

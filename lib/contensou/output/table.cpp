@@ -30,12 +30,6 @@ void append_line(std::string& text, const std::vector<std::string>& cells) {
 
 }  // namespace
 
-std::string to_text(double x) {
-  char buffer[32];
-  const auto [end, error] = std::to_chars(std::begin(buffer), std::end(buffer), x);
-  return {buffer, end};
-}
-
 void Table::add(std::initializer_list<Cell> cells) { add(std::vector<Cell>(cells)); }
 
 void Table::add(const std::vector<Cell>& cells) {

@@ -6,10 +6,9 @@
 #include <variant>
 #include <vector>
 
-namespace contensou {
+#include "contensou/text/number.hpp"
 
-/// A number as the shortest text that reads back to the same double; infinities are "inf" and "-inf".
-std::string to_text(double x);
+namespace contensou {
 
 /// A table as it stands in a file: `#` comment lines, one line of column names, rows; tab-separated.
 /// Cells are text, so that a table may carry more digits than a double.
@@ -19,14 +18,15 @@ struct Table {
   std::vector<std::vector<std::string>> rows;
 
   using Cell = std::variant<double, std::string>;
-  /// Appends one row; numbers are written by `to_text`. Throws std::logic_error if the count of cells is wrong,
-  /// std::invalid_argument if a text cell holds a tab or a line break.
+  /// Appends one row; numbers are written by `to_text`. Throws std::logic_error if the count of cells is
+  /// wrong, std::invalid_argument if a text cell holds a tab or a line break.
   void add(std::initializer_list<Cell> cells);
   void add(const std::vector<Cell>& cells);
 
   /// The index of a column; throws std::out_of_range naming it if there is none.
   std::size_t column(std::string_view name) const;
-  /// A whole column as text or as numbers (std::invalid_argument, with column and row, where one does not parse).
+  /// A whole column as text or as numbers (std::invalid_argument, with column and row, where one does not
+  /// parse).
   std::vector<std::string> texts(std::string_view name) const;
   std::vector<double> numbers(std::string_view name) const;
 };
@@ -34,8 +34,8 @@ struct Table {
 /// The whole table as it stands in a file.
 std::string to_text(const Table& table);
 
-/// Writes under a temporary name beside `path`, then renames: a reader never sees half a table. Makes missing folders.
-/// Throws std::runtime_error naming the path where that fails.
+/// Writes under a temporary name beside `path`, then renames: a reader never sees half a table. Makes missing
+/// folders. Throws std::runtime_error naming the path where that fails.
 void write_table(const Table& table, const std::filesystem::path& path);
 
 /// Reads a table; throws std::runtime_error naming file and line where a row does not have one cell a column.
