@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "bad_input.hpp"
 #include "contensou/law/catalogue.hpp"
 #include "contensou/output/table.hpp"
 #include "numbers.hpp"

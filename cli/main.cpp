@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "bad_input.hpp"
 #include "numbers.hpp"
 #include "subcommand.hpp"
 

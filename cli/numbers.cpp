@@ -4,7 +4,7 @@
 #include <cmath>
 #include <istream>
 
-#include "subcommand.hpp"
+#include "bad_input.hpp"
 
 namespace cli {
 namespace {

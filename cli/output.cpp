@@ -5,8 +5,8 @@
 #include <cstring>
 #include <filesystem>
 
+#include "bad_input.hpp"
 #include "numbers.hpp"
-#include "subcommand.hpp"
 
 namespace cli {
 namespace {
