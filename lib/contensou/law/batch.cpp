@@ -27,7 +27,7 @@ namespace {
 
 namespace c = coefficients;
 
-constexpr std::size_t block = 64;  // values a call; a shorter rest is filled up
+constexpr std::size_t block = 256;  // values a call; a shorter rest is filled up
 constexpr double seam =
     0.75;  // min(u, 1/u) above which the power series give way to the expansion about u = 1
 
@@ -71,7 +71,7 @@ template <std::size_t first, std::size_t N, std::size_t... K>
 CONTENSOU_INLINE Pack every_second(const std::array<double, N>& coefficient, Pack t2,
                                    std::index_sequence<K...>) {
   constexpr std::size_t last = first + 2 * sizeof...(K);
-  Pack value = coefficient[last] + 0 * t2;
+  Pack value = Pack{} + coefficient[last];
   ((value = value * t2 + coefficient[last - 2 * (K + 1)]), ...);
   return value;
 }
@@ -110,7 +110,7 @@ CONTENSOU_INLINE Pack select(Mask mask, Pack a, Pack b) {
 /// u, with NaN for what is none.
 CONTENSOU_INLINE Pack load_ratio(const double* from) {
   const Pack u = load(from);
-  return select(u >= 0, u, std::numeric_limits<double>::quiet_NaN() - 0 * u);
+  return select(u >= 0, u, Pack{} + std::numeric_limits<double>::quiet_NaN());
 }
 
 /// (1 + m)^(−1/2) for 0 <= m <= 1 by Newton's iteration, which here costs less than a root and a division.
@@ -121,9 +121,9 @@ CONTENSOU_INLINE Pack inverse_root(Pack m) {
 }
 
 /// Stores ξ, η and phi = (u ξ + η)/√(1 + u²), the latter without overflow for u → ∞; x = min(u, 1/u).
-CONTENSOU_INLINE void store_reduced(const BlockPointers& b, std::size_t i, Pack u, Pack x, Pack xi,
+CONTENSOU_INLINE void store_reduced(const BlockPointers& b, std::size_t i, Mask inner, Pack x, Pack xi,
                                     Pack eta) {
-  const Pack sum = select(u <= 1, x * xi + eta, xi + x * eta);
+  const Pack sum = select(inner, x * xi + eta, xi + x * eta);
   store(b.phi + i, sum * inverse_root(x * x));
   store(b.xi + i, xi);
   store(b.eta + i, eta);
@@ -137,63 +137,106 @@ CONTENSOU_INLINE bool any(Mask mask) {
   return (two[0] | two[1]) != 0;
 }
 
+/// What a law gives for one pack.
+struct Forces {
+  Pack xi;
+  Pack eta;
+};
+
 /// Uniform pressure. Far from the seam one pair F, T of power series in m = min(u, 1/u)² serves both sides:
 ///   u <= 1: ξ = u F(m), η = (2/3)(1 − m) F(m) + m T(m);   u > 1: ξ = F(m), η = T(m)/u.
-/// Near it, which only packs that hold such a u pay for, both sides are P(y) + y² ln|y| Q(y).
-CONTENSOU_VECTORISED
-void uniform_block(BlockPointers b) {
-  for (std::size_t i = 0; i < block; i += lanes) {
-    const Pack u = load_ratio(b.u + i);
-    const Mask inner = u <= 1;
-    const Pack x = select(inner, u, 1 / u);
+/// Near it both sides are P(y) + y² ln|y| Q(y) in y = (u − 1)/(u + 1).
+struct Uniform {
+  static CONTENSOU_INLINE Mask is_near(Mask /*inner*/, Pack x) { return x > seam; }
+
+  static CONTENSOU_INLINE Forces far(Mask inner, Pack /*u*/, Pack x) {
     const Pack m = x * x;
     const Pack force = polynomial(c::uniform_outer_force, m);
     const Pack torque = polynomial(c::uniform_outer_torque, m);
-    Pack xi = select(inner, x * force, force);
-    Pack eta = select(inner, 2.0 / 3 * (1 - m) * force + m * torque, x * torque);
-    const Mask near = x > seam;
-    if (any(near)) {
-      const Pack y = (u - 1) / (u + 1);
-      const Pack y2_log =
-          y * y * logarithm(std::bit_cast<Pack>(std::bit_cast<Bits>(y) & ~(std::uint64_t{1} << 63)));
-      const Pack near_xi =
-          polynomial(c::uniform_near_force, y) + y2_log * polynomial(c::uniform_near_force_log, y);
-      const Pack near_eta =
-          polynomial(c::uniform_near_torque, y) + y2_log * polynomial(c::uniform_near_torque_log, y);
-      xi = select(near, near_xi, xi);
-      eta = select(near, near_eta, eta);
-    }
-    store_reduced(b, i, u, x, xi, eta);
+    return {select(inner, x * force, force),
+            select(inner, 2.0 / 3 * (1 - m) * force + m * torque, x * torque)};
   }
-}
 
-/// Hertz pressure. Inside polynomials; outside, far from the seam, power series in 1/u², near it the inner
-/// polynomials and a term in y^{5/2}.
-CONTENSOU_VECTORISED
-void hertz_block(BlockPointers b) {
-  constexpr double k = 3 * std::numbers::pi / 128;
+  static CONTENSOU_INLINE Forces near(Pack u) {
+    const Pack y = (u - 1) / (u + 1);
+    const Pack size = std::bit_cast<Pack>(std::bit_cast<Bits>(y) & ~(std::uint64_t{1} << 63));
+    const Pack y2_log = y * y * logarithm(size);
+    return {polynomial(c::uniform_near_force, y) + y2_log * polynomial(c::uniform_near_force_log, y),
+            polynomial(c::uniform_near_torque, y) + y2_log * polynomial(c::uniform_near_torque_log, y)};
+  }
+};
+
+/// Hertz pressure. Inside polynomials in 1 − u²; outside, far from the seam, power series in 1/u², near it
+/// the inner polynomials and a term in y^{5/2}.
+struct Hertz {
+  static CONTENSOU_INLINE Mask is_near(Mask inner, Pack x) { return select(inner, Pack{}, x) > seam; }
+
+  static CONTENSOU_INLINE Pack inner_force(Pack u, Pack mc) { return u * (12 * k + 4 * k * mc); }
+  static CONTENSOU_INLINE Pack inner_torque(Pack mc) { return 3 * k + mc * (2 * k + 3 * k * mc); }
+
+  static CONTENSOU_INLINE Forces far(Mask inner, Pack u, Pack x) {
+    const Pack m = x * x;
+    const Pack mc = (1 - u) * (1 + u);  // of no use outside, and not used there
+    return {select(inner, inner_force(x, mc), polynomial(c::hertz_outer_force, m)),
+            select(inner, inner_torque(mc), x * polynomial(c::hertz_outer_torque, m))};
+  }
+
+  static CONTENSOU_INLINE Forces near(Pack u) {
+    const Pack y = (u - 1) / (u + 1);
+    const Pack mc = (1 - u) * (1 + u);
+    const Pack power = y * y * root(y);
+    return {inner_force(u, mc) + power * polynomial(c::hertz_near_force, y),
+            inner_torque(mc) + power * polynomial(c::hertz_near_torque, y)};
+  }
+
+  static constexpr double k = 3 * std::numbers::pi / 128;
+};
+
+/// One block: every pack by the form that holds far from the seam. The values near it are collected
+/// meanwhile, done again together by the other form, and put in their places: a value pays for being near,
+/// its neighbours do not.
+template <class Law>
+CONTENSOU_INLINE void evaluate_block(const BlockPointers& b) {
+  std::array<std::uint32_t, block> place;
+  std::size_t found = 0;
   for (std::size_t i = 0; i < block; i += lanes) {
     const Pack u = load_ratio(b.u + i);
     const Mask inner = u <= 1;
     const Pack x = select(inner, u, 1 / u);
-    const Pack m = x * x;
-    const Pack mc = select(inner, (1 - u) * (1 + u), 0 * x);
-    Pack xi = select(inner, u * (k * (12 + 4 * mc)), polynomial(c::hertz_outer_force, m));
-    Pack eta = select(inner, k * (3 + mc * (2 + 3 * mc)), x * polynomial(c::hertz_outer_torque, m));
-    const Mask near = select(inner, 0 * x, x) > seam;
+    const auto [xi, eta] = Law::far(inner, u, x);
+    store_reduced(b, i, inner, x, xi, eta);
+    const Mask near = Law::is_near(inner, x);
     if (any(near)) {
-      const Pack y = select(near, (u - 1) / (u + 1), 0 * x);
-      const Pack near_mc = (1 - u) * (1 + u);
-      const Pack power = y * y * root(y);
-      const Pack near_xi = u * (k * (12 + 4 * near_mc)) + power * polynomial(c::hertz_near_force, y);
-      const Pack near_eta =
-          k * (3 + near_mc * (2 + 3 * near_mc)) + power * polynomial(c::hertz_near_torque, y);
-      xi = select(near, near_xi, xi);
-      eta = select(near, near_eta, eta);
+      for (std::size_t lane = 0; lane < lanes; ++lane) {
+        place[found] = static_cast<std::uint32_t>(i + lane);
+        found += near[lane] != 0;
+      }
     }
-    store_reduced(b, i, u, x, xi, eta);
+  }
+  if (found == 0) return;
+
+  Block close;
+  close.u.fill(1);
+  for (std::size_t j = 0; j < found; ++j) close.u[j] = b.u[place[j]];
+  const BlockPointers at{close.u.data(), close.phi.data(), close.xi.data(), close.eta.data()};
+  for (std::size_t i = 0; i < found; i += lanes) {
+    const Pack u = load(at.u + i);
+    const Mask inner = u <= 1;
+    const auto [xi, eta] = Law::near(u);
+    store_reduced(at, i, inner, select(inner, u, 1 / u), xi, eta);
+  }
+  for (std::size_t j = 0; j < found; ++j) {
+    b.phi[place[j]] = close.phi[j];
+    b.xi[place[j]] = close.xi[j];
+    b.eta[place[j]] = close.eta[j];
   }
 }
+
+CONTENSOU_VECTORISED
+void uniform_block(BlockPointers b) { evaluate_block<Uniform>(b); }
+
+CONTENSOU_VECTORISED
+void hertz_block(BlockPointers b) { evaluate_block<Hertz>(b); }
 
 void evaluate(void (*law)(BlockPointers), std::span<const double> u, ReducedBatch out) {
   if (out.phi.size() != u.size() || out.xi.size() != u.size() || out.eta.size() != u.size()) {
