@@ -44,15 +44,9 @@ test: build
 # Not the tests: they have their own command, and the report does not need them.
 reproduce: configure
 	@cmake --build $(BUILD) -j $(JOBS) --target contensou_program reproduce
-	@echo 'The report: $(CURDIR)/$(BUILD)/report/index.html'
 
-verify report: configure
+verify bench report: configure
 	@cmake --build $(BUILD) -j $(JOBS) --target $@
-
-# Measured times stand until the program changes; who asks for them by name wants them measured now.
-bench: configure
-	@rm -f $(BUILD)/report/data/cost_laws.tsv
-	@cmake --build $(BUILD) -j $(JOBS) --target bench
 
 fig%: configure
 	@cmake --build $(BUILD) -j $(JOBS) --target $@
