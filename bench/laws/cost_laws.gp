@@ -8,7 +8,7 @@ eval panel('cost_laws', 940, 1500)
 
 floor = 1e-17   # a double can show no smaller error: zero is drawn here
 set logscale xy
-set xrange [8e-10:2e-2]
+set xrange [2.5e-10:2e-2]
 set yrange [3e-18:8]
 set format x '10^{%T}'
 set format y '10^{%T}'
