@@ -5,7 +5,7 @@ if(NOT GNUPLOT)
 endif()
 
 add_library(reproduce_common STATIC common/curves.cpp)
-target_link_libraries(reproduce_common PUBLIC contensou PRIVATE contensou_options)
+target_link_libraries(reproduce_common PUBLIC contensou report_program PRIVATE contensou_options)
 
 set(figure_files "")
 

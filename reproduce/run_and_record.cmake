@@ -1,6 +1,7 @@
 # cmake -Dname=... -Dprogram=PATH -Dfolder=DATA -Dstatus=FILE
-#       [-Dgnuplot=PATH -Ddrawing=SCRIPT -Dstyle=FILE -Dfigures=FOLDER] -P run_and_record.cmake
-# Runs `program --out folder`, then the drawing; writes exit status and duration as a table; succeeds whatever they say.
+#       [-Dgnuplot=PATH -Ddrawing=SCRIPT -Dstyle=FILE -Dfigures=FOLDER] [-Dstrict=ON] -P run_and_record.cmake
+# Runs `program --out folder`, then the drawing; writes exit status and duration as a table; succeeds whatever they say,
+# unless it is to be strict.
 string(TIMESTAMP begin "%s" UTC)
 if(program)
   execute_process(COMMAND ${program} --out ${folder} RESULT_VARIABLE result)
@@ -18,3 +19,6 @@ if(NOT result STREQUAL "0")
   message("${name}: ${result}; noted for the verdict")
 endif()
 file(WRITE ${status} "# how a program of this report ended; units: seconds\nprogram\tstatus\tseconds\n${name}\t${result}\t${seconds}\n")
+if(strict AND NOT result STREQUAL "0")
+  message(FATAL_ERROR "${name}: ${result}")
+endif()

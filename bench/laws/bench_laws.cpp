@@ -1,4 +1,4 @@
-// bench_laws [--out FOLDER] [--reference FOLDER]
+// bench_laws [--out FOLDER]
 // What accuracy costs: seconds per evaluation and largest error of every way to compute the uniform and the
 // Hertz law.
 #include <gsl/gsl_errno.h>
@@ -7,11 +7,11 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <exception>
 #include <filesystem>
 #include <limits>
-#include <string_view>
+#include <memory>
 
+#include "common/program.hpp"
 #include "contensou/output/table.hpp"
 #include "methods.hpp"
 #include "ratios.hpp"
@@ -203,34 +203,18 @@ void measure_costs(const std::filesystem::path& reference, const std::filesystem
   contensou::write_table(table, data / "cost_laws.tsv");
 }
 
+int run(const std::filesystem::path& folder) {
+  gsl_set_error_handler_off();  // a quadrature that gives up is measured, it does not end the program
+  const auto start = std::chrono::steady_clock::now();
+  std::printf("ratios\n");
+  contensou::write_table(measure_ratios(), folder / "cost_ratios.tsv");
+  std::printf("cost of accuracy\n");
+  measure_costs(CONTENSOU_REFERENCE_DATA, folder);
+  std::printf("%.0f s\n", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  return 0;
+}
+
 }  // namespace
 }  // namespace bench
 
-int main(int argc, char** argv) {
-  std::filesystem::path data = "build/report/data";
-  std::filesystem::path reference = CONTENSOU_REFERENCE_DATA;
-  for (int i = 1; i < argc; i += 2) {
-    const std::string_view option = argv[i];
-    if (i + 1 < argc && option == "--out") {
-      data = argv[i + 1];
-    } else if (i + 1 < argc && option == "--reference") {
-      reference = argv[i + 1];
-    } else {
-      std::fprintf(stderr, "usage: bench_laws [--out FOLDER] [--reference FOLDER]\n");
-      return 2;
-    }
-  }
-  gsl_set_error_handler_off();  // a quadrature that gives up is measured, it does not end the program
-  try {
-    const auto start = std::chrono::steady_clock::now();
-    std::printf("ratios\n");
-    contensou::write_table(bench::measure_ratios(), data / "cost_ratios.tsv");
-    std::printf("cost of accuracy\n");
-    bench::measure_costs(reference, data);
-    std::printf("%.0f s\n", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-    return 0;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "bench_laws: %s\n", error.what());
-    return 1;
-  }
-}
+int main(int argc, char** argv) { return reproduce::program_main(argc, argv, bench::run); }

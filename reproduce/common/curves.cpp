@@ -1,9 +1,8 @@
 #include "curves.hpp"
 
-#include <cstdio>
-#include <exception>
-#include <string_view>
 #include <utility>
+
+#include "program.hpp"
 
 namespace reproduce {
 
@@ -47,20 +46,10 @@ contensou::Table curve_table(const std::string& figure, const std::string& what,
 }
 
 int figure_main(int argc, char** argv, void (*write)(const std::filesystem::path& folder)) {
-  std::filesystem::path folder = "build/report/data";
-  if (argc == 3 && std::string_view(argv[1]) == "--out") {
-    folder = argv[2];
-  } else if (argc != 1) {
-    std::fprintf(stderr, "usage: %s [--out FOLDER]\n", argv[0]);
-    return 2;
-  }
-  try {
+  return program_main(argc, argv, [write](const std::filesystem::path& folder) {
     write(folder);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s: %s\n", argv[0], error.what());
-    return 1;
-  }
-  return 0;
+    return 0;
+  });
 }
 
 }  // namespace reproduce

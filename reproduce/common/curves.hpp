@@ -38,8 +38,7 @@ contensou::Friction signed_friction(const L& law, double v, double s) {
 contensou::Table curve_table(const std::string& figure, const std::string& what, const std::string& units,
                              const std::string& law, std::vector<std::string> columns);
 
-/// `main` of a figure program: `figNN [--out FOLDER]`, FOLDER = build/report/data unless told otherwise.
-/// Calls `write(FOLDER)`; exit status 0, 1 where writing failed, 2 for bad arguments.
+/// `main` of a figure program: program_main (program.hpp) with write(FOLDER).
 int figure_main(int argc, char** argv, void (*write)(const std::filesystem::path& folder));
 
 }  // namespace reproduce

@@ -1,13 +1,13 @@
 // The claims ledger: each row of section2.cpp, section3.cpp, appendix_a.cpp and sentences.cpp is computed and
-// judged. usage: verify_ledger [--out FOLDER]     (default build/report/data)
+// judged.   verify_ledger [--out FOLDER]
 
 #include <cstdio>
-#include <exception>
 #include <filesystem>
 #include <set>
 #include <stdexcept>
 #include <string>
 
+#include "common/program.hpp"
 #include "record.hpp"
 #include "row.hpp"
 
@@ -101,18 +101,4 @@ int run(const std::filesystem::path& folder) {
 }  // namespace
 }  // namespace verify::ledger
 
-int main(int argc, char** argv) {
-  std::filesystem::path folder = "build/report/data";
-  if (argc == 3 && std::string(argv[1]) == "--out") {
-    folder = argv[2];
-  } else if (argc != 1) {
-    std::fprintf(stderr, "usage: verify_ledger [--out FOLDER]\n");
-    return 2;
-  }
-  try {
-    return verify::ledger::run(folder);
-  } catch (const std::exception& e) {
-    std::fprintf(stderr, "verify_ledger: %s\n", e.what());
-    return 1;
-  }
-}
+int main(int argc, char** argv) { return reproduce::program_main(argc, argv, verify::ledger::run); }

@@ -1,14 +1,14 @@
 // The friction plates of LG03 (2.18) and (3.19), printed and corrected, and their series carried on, against
-// the exact border. Writes plates.tsv.   usage: verify_plates [--out FOLDER]     (default build/report/data)
+// the exact border. Writes plates.tsv.   verify_plates [--out FOLDER]
 
 #include <cmath>
 #include <cstdio>
-#include <exception>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "border.hpp"
+#include "common/program.hpp"
 #include "contensou/law/hertz.hpp"
 #include "contensou/law/uniform.hpp"
 #include "contensou/output/table.hpp"
@@ -191,18 +191,4 @@ int run(const std::filesystem::path& folder) {
 }  // namespace
 }  // namespace verify::plates
 
-int main(int argc, char** argv) {
-  std::filesystem::path folder = "build/report/data";
-  if (argc == 3 && std::string(argv[1]) == "--out") {
-    folder = argv[2];
-  } else if (argc != 1) {
-    std::fprintf(stderr, "usage: verify_plates [--out FOLDER]\n");
-    return 2;
-  }
-  try {
-    return verify::plates::run(folder);
-  } catch (const std::exception& e) {
-    std::fprintf(stderr, "verify_plates: %s\n", e.what());
-    return 1;
-  }
-}
+int main(int argc, char** argv) { return reproduce::program_main(argc, argv, verify::plates::run); }
