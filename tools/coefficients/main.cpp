@@ -153,7 +153,7 @@ const char* const name_of[] = {"force", "torque", "second"};
 int main() {
   std::printf(
       "#pragma once\n\n"
-      "// Made by tools/coefficients; do not edit. Lowest power first.\n\n"
+      "// Made by tools/coefficients; do not edit. Lowest power first.\n// clang-format off\n\n"
       "#include <array>\n\nnamespace contensou::coefficients {\n\n");
 
   const Real far_end = Real(9) / 16;  // (3/4)²

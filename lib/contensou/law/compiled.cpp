@@ -14,6 +14,8 @@ namespace {
 
 // Second derivatives are wanted for Newton matrices, not for reading off: they may be coarser than ξ and η.
 constexpr double second_tolerance_factor = 10;
+// What is seen at one point a node is not quite the largest: the bound that is stated is twice what was seen.
+constexpr double safety = 2;
 // The smallest gap of two different doubles is 2^-53: the piece at a kink (u = 1 always is one) ends below
 // it.
 constexpr double narrowest = 0x1p-54;
@@ -116,9 +118,9 @@ CompiledLaw::Half CompiledLaw::compile(const std::function<BoundedForm(double)>&
       }
     }
     const bool good =
-        std::max(error[0], error[1]) <= tolerance && error[2] <= second_tolerance_factor * tolerance;
+        safety * std::max(error[0], error[1]) <= tolerance && error[2] <= second_tolerance_factor * tolerance;
     if (good || b - a <= narrowest) {
-      error_bound_ = std::max({error_bound_, error[0], error[1]});
+      error_bound_ = std::max({error_bound_, safety * error[0], safety * error[1]});
       half.left.push_back(a);
       half.pieces.push_back(piece);
       if (half.pieces.size() > most_pieces) {

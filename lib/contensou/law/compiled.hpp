@@ -19,7 +19,8 @@ class CompiledLaw {
 
   /// `inner` and `outer` give the law for v <= s and for v > s.
   /// `tolerance`: the relative error aimed at in ξ and η, 4e-16 to 1; second derivatives may be ten times
-  /// worse. `breaks`: values of u = v/s > 0 where the law is known to be less smooth (u = 1 is always one).
+  /// worse.
+  /// `breaks`: values of u = v/s > 0 where the law is known to be less smooth (u = 1 is always one).
   /// Throws std::invalid_argument for a tolerance out of range, std::runtime_error where the law is noise at
   /// it.
   CompiledLaw(const Form& inner, const Form& outer, Extent extent, double tolerance,
@@ -29,8 +30,8 @@ class CompiledLaw {
   Curvature curvature(double v, double s) const;
   Extent extent() const { return extent_; }
 
-  /// The largest relative difference to the law it was made from, in ξ and η, seen on points between the
-  /// nodes.
+  /// Bound on the relative difference to the law it was made from, in ξ and η: twice the largest seen on
+  /// points between the nodes, at most the tolerance.
   double error_bound() const { return error_bound_; }
   /// The number of polynomial pieces, for the record.
   std::size_t pieces() const;
