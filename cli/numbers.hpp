@@ -7,16 +7,16 @@
 
 namespace cli {
 
-/// A value as an error message shows it: in quotes, on one line, control characters as \xNN, shortened if
-/// long.
+/// A value as an error message shows it: in quotes, on one
+/// line, control characters as \xNN, shortened if long.
 std::string in_quotes(std::string_view value);
 
 /// Whether the whole text reads as a number, NaN and numbers out of range included.
 bool is_number(std::string_view text);
 
 /// A number from text such as "0.5", "1e-3", "+2" or "inf", with nothing but spaces around it.
-/// Throws BadInput, "SOURCE: VALUE is ...; expected EXPECTED", where it is no number, a NaN, too large or too
-/// small for a double.
+/// Throws BadInput, "SOURCE: VALUE is ...; expected EXPECTED", where
+/// it is no number, a NaN, too large or too small for a double.
 double to_number(std::string_view text, std::string_view source, std::string_view expected);
 
 /// A line of input and where it stood, such as "standard input:3".

@@ -1,6 +1,6 @@
 // bench_laws [--out FOLDER]
-// What accuracy costs: seconds per evaluation and largest error of every way to compute the uniform and the
-// Hertz law.
+// What accuracy costs: seconds per evaluation and largest
+// error of every way to compute the uniform and the Hertz law.
 #include <gsl/gsl_errno.h>
 
 #include <algorithm>
@@ -21,8 +21,8 @@
 namespace bench {
 namespace {
 
-/// Errors below this are rounding in the last digits (about 4 units in the last place of 1): written as they
-/// are, ranked as equal.
+/// Errors below this are rounding in the last digits (about 4 units
+/// in the last place of 1): written as they are, ranked as equal.
 constexpr double rounding = 1e-15;
 
 struct Errors {
@@ -68,8 +68,8 @@ Errors errors_of(const Method& method, const std::vector<Exact>& exact, std::siz
   return errors;
 }
 
-/// The number of arguments for one pass: all, or for a slow method as many as fit in a few milliseconds, at
-/// least 32.
+/// The number of arguments for one pass: all, or for a slow
+/// method as many as fit in a few milliseconds, at least 32.
 std::size_t sample_size(const Method& method) {
   constexpr std::size_t largest = 16384;
   constexpr std::size_t least = 32;

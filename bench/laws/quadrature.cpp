@@ -19,8 +19,8 @@ gsl_function as_gsl(const F& f) {
   return {[](double x, void* context) { return (*static_cast<const F*>(context))(x); }, const_cast<F*>(&f)};
 }
 
-// GSL's status is not looked at: where it gives up (round-off, too many intervals) its best value counts,
-// with its error.
+// GSL's status is not looked at: where it gives up (round-off,
+// too many intervals) its best value counts, with its error.
 template <class F>
 double qag(const F& f, double a, double b, double tolerance, gsl_integration_workspace* workspace) {
   double result = 0;

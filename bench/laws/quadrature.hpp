@@ -10,11 +10,11 @@ namespace bench {
 
 using Workspace = std::shared_ptr<gsl_integration_workspace>;
 
-// Pressures are given by 2n, a whole number: 0 uniform, 1 Hertz, so that no power needs more than one square
-// root.
+// Pressures are given by 2n, a whole number: 0 uniform, 1
+// Hertz, so that no power needs more than one square root.
 
-/// The definition LG03 (2.1) over the disc in polar coordinates about its centre, (2.2), for σ ∝ (1 −
-/// ρ²/R²)ⁿ:
+/// The definition LG03 (2.1) over the disc in polar
+/// coordinates about its centre, (2.2), for σ ∝ (1 − ρ²/R²)ⁿ:
 ///   ξ = (n+1)/π ∫_0^1 ρ(1−ρ²)ⁿ ∫_0^{2π} (u − ρ sin φ)/w dφ dρ,      w² = u² + ρ² − 2uρ sin φ,
 ///   η = (n+1)/π ∫_0^1 ρ(1−ρ²)ⁿ ∫_0^{2π} ρ(ρ − u sin φ)/w dφ dρ,     Φ from Euler's theorem.
 /// Adaptive Gauss–Kronrod quadrature (QAGS) in ρ, split at ρ = u where the pole lies on the disc, of adaptive

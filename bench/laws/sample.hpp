@@ -10,8 +10,8 @@ namespace bench {
 constexpr double least_u = 1e-3;
 constexpr double largest_u = 1e3;
 
-/// `count` values of u, one at random in each of `count` equal cells of log u over [least_u, largest_u], in
-/// random order.
+/// `count` values of u, one at random in each of `count` equal
+/// cells of log u over [least_u, largest_u], in random order.
 std::vector<double> log_uniform_sample(std::size_t count);
 
 /// The law at exact u, to the 64 bits of a long double.

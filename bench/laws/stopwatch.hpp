@@ -20,9 +20,9 @@ struct Effort {
   int least = 3;
 };
 
-/// Seconds per evaluation, [task][round]. Every round visits every task once, in an order shuffled anew, so
-/// that whatever else the machine does hits all alike; a visit keeps its fastest pass, which is the one least
-/// disturbed.
+/// Seconds per evaluation, [task][round]. Every round visits every task once,
+/// in an order shuffled anew, so that whatever else the machine does hits all
+/// alike; a visit keeps its fastest pass, which is the one least disturbed.
 std::vector<std::vector<double>> time_interleaved(std::span<const Task> tasks, const Effort& effort);
 
 /// The q-quantile (0.5: the median) of at least one value.

@@ -46,8 +46,8 @@ double draw(Random& random, int exponent, int unit) {
   return std::ldexp(static_cast<double>((std::uint64_t{1} << width) + fraction), exponent - width);
 }
 
-/// Where a range's numbers come from: directly (origin 0), or as 1 − d, 1 + d with d a multiple of the
-/// spacing there.
+/// Where a range's numbers come from: directly (origin 0), or
+/// as 1 − d, 1 + d with d a multiple of the spacing there.
 enum class Around { zero, below_one, above_one };
 
 constexpr std::size_t count = 250;

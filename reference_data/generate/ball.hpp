@@ -7,9 +7,9 @@
 
 namespace reference {
 
-/// A real number known to lie in [mid - rad, mid + rad] (Arb's arb_t), together with the precision in bits it
-/// is worked with. Every operation encloses its exact result; operands of different precision give the higher
-/// one.
+/// A real number known to lie in [mid - rad, mid + rad] (Arb's arb_t), together
+/// with the precision in bits it is worked with. Every operation encloses its
+/// exact result; operands of different precision give the higher one.
 class Ball {
  public:
   explicit Ball(long bits) : bits_(bits) { arb_init(value_); }

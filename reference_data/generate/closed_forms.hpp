@@ -11,8 +11,8 @@ namespace reference {
 /// The differences cancel up to m⁻² for small m; give it the bits for that.
 Scaled uniform_closed_form(const Argument& at);
 
-/// Hertz pressure (n = ½) in elementary functions: LG03 (3.17), (3.18) for ξ and η, and the derivative of
-/// (3.17) for f'':
+/// Hertz pressure (n = ½) in elementary functions: LG03 (3.17),
+/// (3.18) for ξ and η, and the derivative of (3.17) for f'':
 ///   u <= 1: f'' = (3π/32) (4 − 3u²);  u > 1: f'' = (3/16) [(4 − 3u²) arcsin(1/u) + (3 − 2/u²) √(u² − 1)].
 /// For u > 1 the terms cancel up to u⁶.
 Scaled hertz_closed_form(const Argument& at);

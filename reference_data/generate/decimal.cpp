@@ -46,8 +46,8 @@ void round_scaled(Integer& quotient, const Integer& mantissa, long binary, long 
   if (half > 0 || (half == 0 && fmpz_is_odd(quotient.raw()))) fmpz_add_ui(quotient.raw(), quotient.raw(), 1);
 }
 
-/// The number itself, exactly a binary fraction, to `digits` decimals; in integers, so that nothing is left
-/// to proof.
+/// The number itself, exactly a binary fraction, to `digits`
+/// decimals; in integers, so that nothing is left to proof.
 std::string rounded(arf_srcptr x, int digits) {
   Integer mantissa;
   Integer exponent;
@@ -97,8 +97,8 @@ struct Ends {
 
 }  // namespace
 
-// Rounding never reverses an order: if both ends of the ball round to the same decimal, so does all between
-// them.
+// Rounding never reverses an order: if both ends of the
+// ball round to the same decimal, so does all between them.
 std::optional<std::string> correctly_rounded(const Ball& value, int digits) {
   if (!arb_is_finite(value.raw())) return std::nullopt;
   if (arb_is_zero(value.raw())) return "0";

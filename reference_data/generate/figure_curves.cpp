@@ -1,6 +1,6 @@
-// Reference curves of the figures, reference_data/figures/figNN*.tsv: the samples of reproduce/figNN, from
-// Gauss's ₂F₁ in interval arithmetic. Shares no code with the library or with the figure programs, only their
-// sampling.
+// Reference curves of the figures, reference_data/figures/figNN*.tsv: the
+// samples of reproduce/figNN, from Gauss's ₂F₁ in interval arithmetic. Shares
+// no code with the library or with the figure programs, only their sampling.
 //
 //   figure_curves FOLDER      writes FOLDER/figNN*.tsv; the same bytes each time
 
@@ -37,8 +37,8 @@ struct Pair {
   Ball eta;
 };
 
-// ξ and η of σ ∝ (1 − ρ²/R²)ⁿ at v, s >= 0, not both zero; the table of formulas at the head of
-// hypergeometric.hpp.
+// ξ and η of σ ∝ (1 − ρ²/R²)ⁿ at v, s >= 0, not both zero;
+// the table of formulas at the head of hypergeometric.hpp.
 Pair law(const Ball& n, double v, double s) {
   const Ball half = exact(0.5);
   if (v <= s) {
@@ -247,8 +247,8 @@ void figure_6(const std::filesystem::path& folder) {
   force.write(folder / "fig06a.tsv");
   torque.write(folder / "fig06b.tsv");
 
-  // At rest the set is [−max, max]: the extreme values of the friction ball, reached without spin and without
-  // sliding.
+  // At rest the set is [−max, max]: the extreme values of the
+  // friction ball, reached without spin and without sliding.
   const auto set = [&](const char* file, const std::string& columns, const Ball& most) {
     Curve graph("Figure 6: set-valued limit", "m/s; force in μλ_N", columns);
     graph.number(exact(-2)).number(with_sign(most, -1)).end_row();

@@ -10,8 +10,8 @@ Ball gauss(const Ball& a, const Ball& b, const Ball& c, const Ball& z) {
   return r;
 }
 
-/// The exponent from which Arb's own ₂F₁ needs too many terms or too many bits (of the stored tables: 1000
-/// and 1e6).
+/// The exponent from which Arb's own ₂F₁ needs too many terms
+/// or too many bits (of the stored tables: 1000 and 1e6).
 constexpr double large_exponent = 500;
 
 double midpoint(const Ball& x) { return arf_get_d(arb_midref(x.raw()), ARF_RND_NEAR); }
@@ -57,10 +57,10 @@ Ball gauss_large_c(const Ball& a, const Ball& b, const Ball& c, const Ball& z) {
   return sum;
 }
 
-// With x = p and b = c − a the integrand is x^{a−1} (1−x)^{b−1} (1−mx)^ν. Expand (1−x)^{b−1} = Σ c_k x^k with
-// c_k = (1−b)_k/k!; here b−1 = ±½. For K >= 1 the remainder Σ_{k>=K} c_k x^k is at most x^K (1−x)^{−1/2} in
-// magnitude: for b = ½ the c_k are positive and decrease, so Σ c_{K+j} x^j <= Σ c_j x^j; for b = 3/2,
-// Σ_{k>=1} |c_k| = 1.
+// With x = p and b = c − a the integrand is x^{a−1} (1−x)^{b−1} (1−mx)^ν. Expand
+// (1−x)^{b−1} = Σ c_k x^k with c_k = (1−b)_k/k!; here b−1 = ±½. For K >= 1 the remainder
+// Σ_{k>=K} c_k x^k is at most x^K (1−x)^{−1/2} in magnitude: for b = ½ the c_k are
+// positive and decrease, so Σ c_{K+j} x^j <= Σ c_j x^j; for b = 3/2, Σ_{k>=1} |c_k| = 1.
 //
 // Each term is integrated over x in [0, 1/m] instead of [0, 1], which gives m^{−a−k} B(a+k, ν+1). With s = mx
 // that adds m^{−a−k} ∫_m^1 s^{a+k−1} (1−s)^ν ds, whose integrand falls at least like e^{−λ(s−m)}, λ = ν −

@@ -22,9 +22,9 @@ Ball potential_by_hypergeometric(const Ball& n, const Argument& at);
 /// ₂F₁(a, b; c; z) for large c by its power series with a proven remainder. b <= 1, c > a + 1, 0 <= z <= 1.
 Ball gauss_large_c(const Ball& a, const Ball& b, const Ball& c, const Ball& z);
 
-/// ∫_0^1 p^{a-1} (1-p)^{c-a-1} (1 - m p)^{ν} dp / B(a, c-a) = ₂F₁(a, −ν; c; m) for large ν m, where the power
-/// series cancels hopelessly: Watson's expansion with a proven remainder. 0 < m <= 1, ν m > 100; a, c − a
-/// each ½ or 3/2.
+/// ∫_0^1 p^{a-1} (1-p)^{c-a-1} (1 - m p)^{ν} dp / B(a, c-a) = ₂F₁(a, −ν; c; m)
+/// for large ν m, where the power series cancels hopelessly: Watson's expansion
+/// with a proven remainder. 0 < m <= 1, ν m > 100; a, c − a each ½ or 3/2.
 Ball gauss_large_nu(const Ball& a, const Ball& nu, const Ball& c, const Ball& m);
 
 }  // namespace reference

@@ -12,8 +12,8 @@ struct Scaled {
   Ball second;
 };
 
-/// u and what it is compared with 1, exactly: the double itself, m = min(u, 1/u)², and 1 - m without
-/// cancellation.
+/// u and what it is compared with 1, exactly: the double
+/// itself, m = min(u, 1/u)², and 1 - m without cancellation.
 struct Argument {
   Argument(double u_in, long bits)
       : value(u_in),

@@ -59,9 +59,9 @@ Elliptic elliptic(acb_srcptr m, bool analytic, long bits) {
   Box complement;  // m − 1
   acb_sub_ui(complement.raw(), m, 1, bits);
   if (is_wide(m, complement.raw())) {
-    // Arb's E and K are of little use on wide boxes; the integration needs a bound there, not a value. As Re
-    // m <= 1, |E| = |∫ √(1 − m sin²)| <= (π/2) √(1 + |m|) and |E − (1−m) K| = |m ∫ cos²/√(1 − m sin²)| <=
-    // |m|.
+    // Arb's E and K are of little use on wide boxes; the integration needs
+    // a bound there, not a value. As Re m <= 1, |E| = |∫ √(1 − m sin²)| <=
+    // (π/2) √(1 + |m|) and |E − (1−m) K| = |m ∫ cos²/√(1 − m sin²)| <= |m|.
     Ball size(bits);
     acb_abs(size.raw(), m, bits);
     set_disc(r.e.raw(), pi(bits) / 2.0 * sqrt(1.0 + size));

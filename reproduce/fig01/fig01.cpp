@@ -1,8 +1,8 @@
 // Figure 1: the geometry of the contact surface, drawn for u = R*/R = 0.62.
 //
-// The surface element dA has polar coordinates (ρ, φ) about the centre and (r, θ) about the pole R* e2, the
-// point that is at rest: LG03 (3.1). Its sliding velocity w is perpendicular to the line from the pole, ‖w‖ =
-// |ω| r: LG03 (3.5).
+// The surface element dA has polar coordinates (ρ, φ) about the centre and (r, θ)
+// about the pole R* e2, the point that is at rest: LG03 (3.1). Its sliding
+// velocity w is perpendicular to the line from the pole, ‖w‖ = |ω| r: LG03 (3.5).
 
 #include <cmath>
 #include <numbers>

@@ -1,5 +1,5 @@
-// Figure 3: the admissible forces of a uniform pressure. (a) the friction disk D_T, λ_τ = 0; (b) the friction
-// plate P_F.
+// Figure 3: the admissible forces of a uniform pressure. (a)
+// the friction disk D_T, λ_τ = 0; (b) the friction plate P_F.
 //
 // The plate's border is the law itself, (ξ(u), η(u)) for u in [0, ∞]. Over it the border as LG03 (2.18)
 // prints it, whose two branches are truncated series in ξ and in η and do not meet at ξ* = 55/64.

@@ -1,5 +1,5 @@
-// Figure 5: friction force over u and friction torque over 1/u, for a uniform and for a Hertz ("parabolic")
-// pressure.
+// Figure 5: friction force over u and friction torque over
+// 1/u, for a uniform and for a Hertz ("parabolic") pressure.
 
 #include "../common/curves.hpp"
 #include "contensou/law/hertz.hpp"

@@ -16,8 +16,8 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_beyond_ascii(char c) { return static_cast<unsigned char>(c) >= 0x80; }
 bool is_word(char c) { return is_letter(c) || is_digit(c) || c == '_' || is_beyond_ascii(c); }
 
-// True if the underscore at i hangs an index on a symbol (λ_N, P_F), and is not part of a name
-// (fig03b_printed.tsv).
+// True if the underscore at i hangs an index on a symbol
+// (λ_N, P_F), and is not part of a name (fig03b_printed.tsv).
 bool begins_index(std::string_view text, std::size_t i) {
   if (i == 0 || i + 1 >= text.size() || !is_word(text[i + 1]) || text[i + 1] == '_') return false;
   const char base = text[i - 1];

@@ -1,8 +1,7 @@
 // Joins what the verification programs left behind and writes the report page.
 //
 //   contensou_report --report build/report --sources reproduce     writes claims.tsv, ledger.tsv, index.html
-//   contensou_report --report build/report --verdict               says whether every claim came out as it
-//   should
+//   contensou_report --report build/report --verdict               says whether all came out as it should
 
 #include <cstdio>
 #include <exception>

@@ -86,8 +86,8 @@ std::string joined(const Table& table, const std::string& id, const std::string&
   return report::table(table, id, title, true);
 }
 
-// Every table of data/ whose name begins with one of the prefixes, as "accuracy" for accuracy.tsv,
-// accuracy_power.tsv.
+// Every table of data/ whose name begins with one of the
+// prefixes, as "accuracy" for accuracy.tsv, accuracy_power.tsv.
 std::string tables(const fs::path& report, const std::vector<std::string>& prefixes) {
   std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(report / "data")) {

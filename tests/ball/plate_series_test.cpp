@@ -89,8 +89,8 @@ TEST_CASE("plate series: both sides of the seam", "[plate_series]") {
 }
 
 TEST_CASE("plate series: many terms tend to the exact border on both sides of the seam", "[plate_series]") {
-  // Away from the seam the truncated tail is geometric: (ξ/ξ*)^80 < 1e-6 at 0.84 ξ*, times coefficients below
-  // 1e-4.
+  // Away from the seam the truncated tail is geometric:
+  // (ξ/ξ*)^80 < 1e-6 at 0.84 ξ*, times coefficients below 1e-4.
   const PlateSeries uniform = plate_series(0, 40);
   const PlateSeries hertz = plate_series(0.5, 40);
   for (const double u : {0.05, 0.3, 0.7, 1.7, 4.0, 50.0}) {

@@ -3,10 +3,10 @@
 //
 //   compare_curves FIGURE FRESH REFERENCE       e.g. compare_curves fig05 /tmp/fresh reference_data/figures
 //
-// A value passes if |value − reference| <= (relative |reference| + absolute) ε, ε = 2⁻⁵². The arguments of
-// the curves are exact doubles, so that only the law and the operations after it count. Counting each
-// correctly rounded operation and the reading of the reference as ε/2 and the laws as 4 ulp <= 4 ε in ξ and η
-// (what they promise):
+// A value passes if |value − reference| <= (relative |reference| + absolute) ε, ε =
+// 2⁻⁵². The arguments of the curves are exact doubles, so that only the law and the
+// operations after it count. Counting each correctly rounded operation and the reading
+// of the reference as ε/2 and the laws as 4 ulp <= 4 ε in ξ and η (what they promise):
 
 #include <cmath>
 #include <cstdio>
@@ -31,8 +31,8 @@ struct Bound {
 
 constexpr Bound argument{0, 0};  // exact
 constexpr Bound law{4.5, 0};     // law 4, reading 1/2
-// Contour lines: Φ = vξ + sη, all terms positive: law 4, products 1/2, sum 1/2; then quotient, product,
-// reading.
+// Contour lines: Φ = vξ + sη, all terms positive: law 4,
+// products 1/2, sum 1/2; then quotient, product, reading.
 constexpr Bound contour{6.5, 0};
 // Direction of sliding: hypot within 1 ulp, quotient, law 4, product, reading.
 constexpr Bound disk{6.5, 0};

@@ -33,12 +33,12 @@ TEST_CASE("The limits of the power family", "[law][power_limits]") {
   CHECK(power_limits(1).slope == about(4. / 3));
   CHECK(power_limits(2).eta_max == about(16. / 35));
   CHECK(power_limits(-0.5).eta_max == about(std::numbers::pi / 4));
-  // The general expression joins the two special ones: A has slope −0.28 at n = 0, so 1e-9 away it moves by
-  // 3e-10.
+  // The general expression joins the two special ones: A has
+  // slope −0.28 at n = 0, so 1e-9 away it moves by 3e-10.
   CHECK(power_limits(1e-9).eta_max == Approx(2. / 3).epsilon(1e-9));
   CHECK(power_limits(0.5 + 1e-9).eta_max == Approx(3 * std::numbers::pi / 16).epsilon(1e-9));
-  // n → ∞: A = (√π/2) Γ(n+2)/Γ(n+5/2) → (√(π/n)/2) (1 − 7/(8n) + ...), a concentrated load; n → −1: a thin
-  // ring, A → 1.
+  // n → ∞: A = (√π/2) Γ(n+2)/Γ(n+5/2) → (√(π/n)/2) (1 − 7/(8n)
+  // + ...), a concentrated load; n → −1: a thin ring, A → 1.
   CHECK(power_limits(1e6).eta_max ==
         Approx(std::sqrt(std::numbers::pi / 1e6) / 2 * (1 - 7. / 8e6)).epsilon(1e-11));
   CHECK(power_limits(-1 + 1e-12).eta_max == Approx(1).epsilon(1e-11));

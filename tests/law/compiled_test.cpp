@@ -10,8 +10,8 @@ using namespace contensou;
 
 namespace {
 
-/// Bounded forms of the ellipsoid, written here from Φ = √(a²v² + b²s²): inner h = √(a²u² + b²), outer h =
-/// √(a² + b²w²).
+/// Bounded forms of the ellipsoid, written here from Φ = √(a²v²
+/// + b²s²): inner h = √(a²u² + b²), outer h = √(a² + b²w²).
 constexpr double a = 1.0;
 constexpr double b = 0.6;
 BoundedForm form(double h) { return {a * a / h, b * b / h, a * a * b * b / (h * h * h)}; }

@@ -25,8 +25,8 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-/// One row of a reference table; long double holds the 34 digits to 2^-64, a four-thousandth of an ulp of a
-/// double.
+/// One row of a reference table; long double holds the 34
+/// digits to 2^-64, a four-thousandth of an ulp of a double.
 struct Row {
   double u;
   long double phi, xi, eta, f2;
@@ -78,9 +78,9 @@ struct Worst {
   }
 };
 
-/// f'' for u <= 1 and u³ f'' above, as in the tables, out of the curvature: at v = u, s = 1 or, so that
-/// neither 1/v nor 1/s leaves the normal range, at v = u/2^512, s = 1/2^512, which is the same ratio to the
-/// bit.
+/// f'' for u <= 1 and u³ f'' above, as in the tables, out of the curvature:
+/// at v = u, s = 1 or, so that neither 1/v nor 1/s leaves the normal range,
+/// at v = u/2^512, s = 1/2^512, which is the same ratio to the bit.
 template <class Law>
 double second(const Law& law, double u) {
   if (std::isinf(u)) return law.curvature(1.0, 0.0).ss;
@@ -158,8 +158,7 @@ TEST_CASE("PowerLaw is the uniform and the Hertz law at n = 0 and n = 1/2", "[la
   }
 }
 
-// ------------------------------------------------------------------------------------------- edges of the
-// doubles
+// -------------------------------------------------------------------------------- edges of the doubles
 
 namespace {
 
@@ -311,8 +310,8 @@ TEST_CASE("No NaN and nothing outside the ball for any pair of finite speeds", "
     const double slack = 1 + law.accuracy;
     int failures = 0;
     for (int i = 0; i < 100000; ++i) {
-      // Half of the pairs anywhere, half of them within 2^±60 of each other, where the law is more than its
-      // limits.
+      // Half of the pairs anywhere, half of them within 2^±60
+      // of each other, where the law is more than its limits.
       const int k = exponent(random);
       const double v = speed(k);
       const double s = speed(i % 2 == 0 ? exponent(random) : k + offset(random));

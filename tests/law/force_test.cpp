@@ -314,9 +314,9 @@ TEST_CASE("Hessian on the axes is the limit from beside them", "[law][force][hes
   for (const auto& [name, law] : all_laws()) {
     if (std::string(name) == "decoupled") continue;
     CAPTURE(name);
-    // γ_T = 0: f''(0)/s in every direction of the tangent plane. Beside it by 1e-12 the entries differ by
-    // about that, relatively to the largest one (a Padé form of first order is not smooth there: its mixed
-    // entry is of order √u).
+    // γ_T = 0: f''(0)/s in every direction of the tangent plane. Beside it by 1e-12
+    // the entries differ by about that, relatively to the largest one (a Padé form
+    // of first order is not smooth there: its mixed entry is of order √u).
     const double near = 1e-12;
     const double first_order = std::string(name) == "pade" ? 10 * std::sqrt(near) : 0;
     const auto drilling = second(law, unit, {0, 0, -2});

@@ -75,8 +75,8 @@ TEST_CASE("Second derivatives of a radial law", "[law][radial]") {
 }
 
 TEST_CASE("A pressure from a table", "[law][radial]") {
-  // The cone σ = 1 − ρ: η_max = ∫(1−ρ)ρ² dρ/∫(1−ρ)ρ dρ = (1/12)/(1/6) = 1/2; f''(0) = ∫(1−ρ) dρ/(2 · 1/6) =
-  // 3/2.
+  // The cone σ = 1 − ρ: η_max = ∫(1−ρ)ρ² dρ/∫(1−ρ)ρ dρ =
+  // (1/12)/(1/6) = 1/2; f''(0) = ∫(1−ρ) dρ/(2 · 1/6) = 3/2.
   const RadialPressure cone = tabulated_pressure({0, 0.25, 1}, {1, 0.75, 0});
   CHECK(cone.breaks == std::vector<double>{0.25});
   CHECK(cone.sigma(0.0) == 1);

@@ -35,8 +35,8 @@ const std::vector<double> ratios{0.0, 1e-9, 0.1, 0.5, 0.9,  1.0, std::nextafter(
 
 }  // namespace
 
-// A sum of four terms, each rounded a few times, the largest not above the sum by more than a factor 2: 10 ε
-// holds it.
+// A sum of four terms, each rounded a few times, the largest
+// not above the sum by more than a factor 2: 10 ε holds it.
 constexpr double rounding = 10 * std::numeric_limits<double>::epsilon();
 
 TEST_CASE("PrintedUniformLaw is (2.8), (2.13), (2.14) to the letter", "[law][series]") {

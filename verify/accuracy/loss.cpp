@@ -20,9 +20,9 @@ namespace {
 
 constexpr std::array thresholds{1e-12, 1e-8, 1e-4, 1.0};
 
-/// A difference of large terms. With S the sum of their moduli and q the result, S/q → κ u^power, rounding of
-/// the terms leaves a relative error of about κ u^power 2⁻⁵³. power > 0: digits are lost for u → ∞; power <
-/// 0: for u → 0.
+/// A difference of large terms. With S the sum of their moduli and q the result,
+/// S/q → κ u^power, rounding of the terms leaves a relative error of about κ
+/// u^power 2⁻⁵³. power > 0: digits are lost for u → ∞; power < 0: for u → 0.
 struct Cancellation {
   const char* pressure;
   const char* method;

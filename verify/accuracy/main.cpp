@@ -1,6 +1,6 @@
 // verify_accuracy [--out FOLDER]
-// The accuracy of the library's laws in ulp beside the ways other people compute them, and where those lose
-// their digits.
+// The accuracy of the library's laws in ulp beside the ways
+// other people compute them, and where those lose their digits.
 
 #include <cstdio>
 

@@ -7,8 +7,8 @@
 
 namespace accuracy {
 
-/// 113 bits (34 digits) with a range far beyond a double's: the stored tables are read and compared in this
-/// type.
+/// 113 bits (34 digits) with a range far beyond a double's:
+/// the stored tables are read and compared in this type.
 using Quad = boost::multiprecision::cpp_bin_float_quad;
 
 /// One row of a stored table: an exact double u, and the law there to 34 digits.

@@ -4,10 +4,10 @@
 
 namespace accuracy {
 
-/// The law of σ ∝ (1 − ρ²/R²)ⁿ away from the seam, u <= 1/2 or u >= 2, from Gauss's hypergeometric series
-/// summed in 113 bits: an oracle for as many u as one likes. Every argument is at most 1/4, so each term is
-/// smaller than the last by a factor of about 4 and 60 terms are enough. Itself held against the stored
-/// tables.
+/// The law of σ ∝ (1 − ρ²/R²)ⁿ away from the seam, u <= 1/2 or u >= 2, from Gauss's
+/// hypergeometric series summed in 113 bits: an oracle for as many u as one likes.
+/// Every argument is at most 1/4, so each term is smaller than the last by a factor
+/// of about 4 and 60 terms are enough. Itself held against the stored tables.
 ReferenceRow series_oracle(double n, double u);
 
 }  // namespace accuracy

@@ -78,8 +78,8 @@ LawSeries hertz_inner(std::size_t count) {
 }
 
 LawSeries hertz_outer(std::size_t count) {
-  // ξ = (3/2) ∫√(1 − w² sin²ψ) cos³ψ, η = (3/8) w ∫cos⁵ψ/√(1 − w² sin²ψ); with s = sin ψ these are integrals
-  // of powers of s
+  // ξ = (3/2) ∫√(1 − w² sin²ψ) cos³ψ, η = (3/8) w ∫cos⁵ψ/√(1 −
+  // w² sin²ψ); with s = sin ψ these are integrals of powers of s
   return {tabulate(count,
                    [](unsigned k) -> Rational {
                      return Rational(3, 2) * binomial(Rational(1, 2), k) * alternating(k) *

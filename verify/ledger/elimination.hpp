@@ -14,8 +14,8 @@ using PowerSeries = std::vector<Rational>;
 /// C(a, k) for rational a.
 Rational binomial(const Rational& a, unsigned k);
 
-/// ξ and η as series in t = u² (inner) or t = u⁻² (outer), stripped of their odd factor and, so that all is
-/// rational, scaled:
+/// ξ and η as series in t = u² (inner) or t = u⁻² (outer), stripped
+/// of their odd factor and, so that all is rational, scaled:
 ///   uniform: ξ = u X(t), η = Y(t);  ξ = X(t), η = Y(t)/u
 ///   Hertz:   ξ = ξ* u X(t), η = η_max Y(t) with ξ* = 9π/32, η_max = 3π/16;  ξ = X(t), η = Y(t)/u
 struct LawSeries {

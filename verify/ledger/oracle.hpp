@@ -7,8 +7,8 @@
 
 #include "row.hpp"
 
-/// What the ledger measures with. None of it comes from the library: integrals of the definition, in 50
-/// digits or in double.
+/// What the ledger measures with. None of it comes from the
+/// library: integrals of the definition, in 50 digits or in double.
 namespace verify::ledger {
 
 using Real =
@@ -18,8 +18,8 @@ using Function = std::function<Real(const Real&)>;
 Real pi();
 inline Real ratio(long long p, long long q) { return Real(p) / Real(q); }
 
-/// ∫_a^b f by tanh-sinh quadrature in 50 digits, to a relative tolerance; f may have algebraic singularities
-/// at a and b only.
+/// ∫_a^b f by tanh-sinh quadrature in 50 digits, to a relative
+/// tolerance; f may have algebraic singularities at a and b only.
 Real integrate(const Function& f, const Real& a, const Real& b, const Real& tolerance = Real(1e-40));
 
 /// ∫_a^b f in double, the same rule: for double integrals.
@@ -29,8 +29,8 @@ double integrate_double(const std::function<double(double)>& f, double a, double
 /// Of two closed forms, or a closed form and a 50-digit quadrature: 50 digits less the cancellation of the
 /// formulas (u <= 10: u⁴ and a few small differences).
 inline constexpr double digits50 = 1e-35;
-/// Of a double integral in double: each rule stops at 1e-13 relative, a hundred times that for their nesting
-/// and sums.
+/// Of a double integral in double: each rule stops at 1e-13
+/// relative, a hundred times that for their nesting and sums.
 inline constexpr double nested = 1e-11;
 /// Of a central difference of nested integrals, step h = 1e-3 of the argument, five points: h⁴ and 1e-12/h.
 inline constexpr double differenced = 1e-8;
@@ -68,8 +68,8 @@ std::vector<Contact> positive_contacts();
 /// σ(ρ) of the contact, uniform or as in the first member of (3.4).
 double pressure_at(Pressure pressure, const Contact& contact, double rho);
 
-/// ∫_0^{2π} ∫_0^R g(ρ, φ) ρ dρ dφ in double, split where the sliding velocity vanishes, (ρ, φ) = (|v/ω|,
-/// ±π/2).
+/// ∫_0^{2π} ∫_0^R g(ρ, φ) ρ dρ dφ in double, split where
+/// the sliding velocity vanishes, (ρ, φ) = (|v/ω|, ±π/2).
 double over_disc(const Contact& contact, const std::function<double(double, double)>& g);
 
 /// Φ of LG03 (2.1): ∬ μσ‖w‖ dA over the disc, directly.

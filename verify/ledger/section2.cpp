@@ -42,8 +42,8 @@ Real ring(const Real& x) {
          integrate([&](const Real& phi) { return sqrt(x * x + 1 - 2 * x * sin(phi)); }, -pi() / 2, pi() / 2);
 }
 
-/// The local law integrated: force along e_1 and torque, as they act against the motion (positive for v, ω >
-/// 0).
+/// The local law integrated: force along e_1 and torque,
+/// as they act against the motion (positive for v, ω > 0).
 struct Resultant {
   double force;
   double torque;
@@ -274,8 +274,8 @@ Finding truncated_potential_line(std::size_t line) {
           "Against the line before it, v > 0, R* < R: largest relative difference " + text(t.error, 2)};
 }
 
-/// Line 1 is (2.4) with the truncated ring: what is lost, relative to Φ, is no more than (2.5) loses at its
-/// worst, x = 1.
+/// Line 1 is (2.4) with the truncated ring: what is lost, relative
+/// to Φ, is no more than (2.5) loses at its worst, x = 1.
 Finding truncated_potential_first_line() {
   std::vector<Trial> trials;
   for (const Contact& c : positive_contacts()) {
@@ -400,12 +400,12 @@ Finding pure_motions() {
               text(spin.error, 2)};
 }
 
-/// Along (λ_T, λ_τ) = t (1, 2/3) μλ_N, the corner of disk × interval: how far the joint subdifferential at
-/// γ_F = 0 reaches.
+/// Along (λ_T, λ_τ) = t (1, 2/3) μλ_N, the corner of disk ×
+/// interval: how far the joint subdifferential at γ_F = 0 reaches.
 Finding subdifferential_at_rest() {
   const Real corner = ratio(2, 3);
-  // λ ∈ ∂Φ(0) means λ·γ <= Φ(γ) for every γ: here t (u + 2/3) <= f(u) for all u, by brute force over
-  // directions tan ψ = u.
+  // λ ∈ ∂Φ(0) means λ·γ <= Φ(γ) for every γ: here t (u + 2/3) <=
+  // f(u) for all u, by brute force over directions tan ψ = u.
   Real reach = 1;
   const int directions = 50;
   for (int i = 1; i < directions; ++i) {

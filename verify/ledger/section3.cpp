@@ -48,8 +48,8 @@ Real plate_outer_side(const Real& xi, const Real& eta) {
   return xi * xi + 5 * eta * eta - ratio(75, 7) * pow(eta, 4) + ratio(1250, 147) * pow(eta, 6);
 }
 
-/// Points (r, θ) of the plane, seen from the pole at distance `pole` along e_2: ρ cos φ = r sin θ, ρ sin φ =
-/// pole − r cos θ.
+/// Points (r, θ) of the plane, seen from the pole at distance
+/// `pole` along e_2: ρ cos φ = r sin θ, ρ sin φ = pole − r cos θ.
 struct Point {
   double x;
   double y;
@@ -127,8 +127,8 @@ Finding contact_radius() {
               text(t.error, 2) + ". 1/ρ* is the relative curvature, ρ* a length"};
 }
 
-/// Boussinesq's half-space under a unit normal load at the origin: displacement (u_x, u_y, u_z) at (x, y, z),
-/// z > 0 inward.
+/// Boussinesq's half-space under a unit normal load at the origin:
+/// displacement (u_x, u_y, u_z) at (x, y, z), z > 0 inward.
 std::array<Real, 3> boussinesq(const std::array<Real, 3>& p, const Real& shear, const Real& nu) {
   const auto& [x, y, z] = p;
   const Real r = sqrt(x * x + y * y + z * z);
@@ -171,8 +171,8 @@ Finding effective_modulus() {
     trials.push_back(
         absolute(0, (shear * laplace + (lame + shear) * grad_div) / (shear * abs(second(i, i, i)))));
   }
-  // It carries the load: −∫σ_zz over the plane z = 0.4 is 1; σ_zz = λ div u + 2G ∂u_z/∂z by central
-  // differences.
+  // It carries the load: −∫σ_zz over the plane z = 0.4 is
+  // 1; σ_zz = λ div u + 2G ∂u_z/∂z by central differences.
   const auto sigma_zz = [&](const Real& r) -> Real {
     const std::array<Real, 3> q{r, Real(0), ratio(4, 10)};
     const auto difference = [&](std::size_t i) -> Real {
@@ -352,8 +352,8 @@ Finding radial_limits() {
       for (const int side : {-1, 1}) {
         corrected.push_back(relative(c.radius, rho_at(critical * std::cos(theta) + side * root)));
       }
-      // As printed r stands on both sides; the equation r = r cos θ + √(R*² − r² sin²θ) has the solution
-      // R*/(2 sin(θ/2)).
+      // As printed r stands on both sides; the equation r = r cos
+      // θ + √(R*² − r² sin²θ) has the solution R*/(2 sin(θ/2)).
       printed.push_back(relative(c.radius, rho_at(critical / (2 * std::sin(theta / 2)))));
     }
   }

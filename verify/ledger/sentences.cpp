@@ -52,8 +52,8 @@ Finding torque_proportional() {
       t, {}, nested, "Doubling μ, tripling λ_N, R times five: τ_N becomes 30 times, to " + text(t.error, 2)};
 }
 
-/// Surface displacement under (1 − ρ²)ⁿ as a sum over chords of half length h: n = 1: ∫(h² − t²) dt = 4h³/3;
-/// n = ½: πh²/2.
+/// Surface displacement under (1 − ρ²)ⁿ as a sum over chords of
+/// half length h: n = 1: ∫(h² − t²) dt = 4h³/3; n = ½: πh²/2.
 Real sag(const Real& u, bool paraboloid) {
   const auto displacement = [&](const Real& at) {
     return integrate(
@@ -80,8 +80,8 @@ Finding edge_pressure() {
   const Real rho2 = pow(1 - Real("1e-12"), 2);
   const Real punch = 1 / (2 * sqrt(1 - rho2));  // over the mean
   const Real sphere = ratio(3, 2) * sqrt(1 - rho2);
-  // The chord integral of (h² − t²)^{−1/2}, t = h sin a, is that of 1: the surface under the punch stays
-  // flat, as it must.
+  // The chord integral of (h² − t²)^{−1/2}, t = h sin a, is that
+  // of 1: the surface under the punch stays flat, as it must.
   const auto chord = [](const Real& h) {
     return integrate([&](const Real& a) -> Real { return h * cos(a) / sqrt(h * h * cos(a) * cos(a)); },
                      -pi() / 2, pi() / 2);
@@ -110,8 +110,8 @@ Finding element_velocity() {
   for (const Contact& c : contacts()) {
     for (const double phi : {0.3, 2.2, 4.0}) {
       const double rho = 0.4;
-      // The point x(t) of a body that turns by ωt about e_3 and moves with v along e_1, differentiated at t =
-      // 0.
+      // The point x(t) of a body that turns by ωt about e_3
+      // and moves with v along e_1, differentiated at t = 0.
       const double h = 1e-5;
       const auto x = [&](double t) { return c.v * t + rho * std::cos(phi + c.omega * t); };
       const auto y = [&](double t) { return rho * std::sin(phi + c.omega * t); };
@@ -239,8 +239,8 @@ Finding smoothness() {
 }
 
 Finding where_set_valued() {
-  // Φ(v, s): jump of the slope across the axes, away from the origin, and at the origin, all in units of
-  // μλ_N.
+  // Φ(v, s): jump of the slope across the axes, away from
+  // the origin, and at the origin, all in units of μλ_N.
   const Real h = Real("1e-10");
   const Real across_spin = 2 * (exact(uniform, h).f - exact(uniform, Real("1e-30")).f) / h;  // Φ(±h, 1)
   const Real across_slide = 2 * (exact(uniform, 1 / h).f * h - 1) / h;                       // Φ(1, ±h)
@@ -331,8 +331,8 @@ Finding disk_section() {
 }
 
 Finding plate_section() {
-  // Half width, along λ_T2, of the section at λ_T1 = d: the ball is the border curve turned about the λ_τ
-  // axis.
+  // Half width, along λ_T2, of the section at λ_T1 = d: the
+  // ball is the border curve turned about the λ_τ axis.
   const auto half_width = [](const Real& d) -> Real { return sqrt(1 - d * d); };
   return {relative(1, half_width(ratio(1, 2))), relative(1, half_width(0)), 1e-15,
           "The plane λ_T1 = μλ_N/2 is orthogonal to D_T and cuts B_F to ‖λ_T2‖ <= " +

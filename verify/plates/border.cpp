@@ -8,8 +8,8 @@
 namespace verify::plates {
 namespace {
 
-/// Signed distance from the border point along its normal to the nearest place where the plate begins or
-/// ends.
+/// Signed distance from the border point along its normal
+/// to the nearest place where the plate begins or ends.
 double along_normal(const PlateSeries& plate, const Friction& point, double psi) {
   const auto inside = [&](double t) {
     return contains(plate, std::abs(point.xi + t * std::sin(psi)), point.eta + t * std::cos(psi));

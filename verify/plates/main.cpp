@@ -22,8 +22,8 @@ using contensou::plate_series;
 
 constexpr int most_terms = 40;
 
-// A vertex of 4000 on a convex border lies on the hull up to the rounding of η near the vertical ends:
-// √(1e-16) of slope.
+// A vertex of 4000 on a convex border lies on the hull up to
+// the rounding of η near the vertical ends: √(1e-16) of slope.
 constexpr double flat = 1e-12;
 
 struct Judged {
@@ -143,8 +143,8 @@ void claim_series(const Pressure& pressure, const std::vector<Judged>& series, R
             expected, measured, std::abs(measured - expected), 0.5, true});
 
   const double ulps = coefficient_error(pressure, most_terms);
-  // Two roundings where the exact fraction is made a double, k multiplications by ξ*² for Hertz: k + 2 ulp at
-  // most, k = 40.
+  // Two roundings where the exact fraction is made a double, k
+  // multiplications by ξ*² for Hertz: k + 2 ulp at most, k = 40.
   record.add(
       Claim{id + ".coefficients", where,
             "coefficients of the library against exact elimination in rational numbers, 40 terms, in ulp", 0,

@@ -16,8 +16,8 @@
 namespace verify {
 namespace {
 
-// Every sign of γ_T1, γ_T2 and ω; pole inside, on and outside the edge; no spin, no sliding; large and small
-// scales.
+// Every sign of γ_T1, γ_T2 and ω; pole inside, on and outside
+// the edge; no spin, no sliding; large and small scales.
 constexpr Contact contacts[] = {
     {.mu = 0.3, .lambda_n = 0.06, .radius = 5e-4, .gamma_t1 = 0.01, .gamma_t2 = -0.02, .omega = 180},
     {.mu = 0.3, .lambda_n = 0.06, .radius = 5e-4, .gamma_t1 = -0.04, .gamma_t2 = 0.03, .omega = 100},
@@ -29,8 +29,8 @@ constexpr Contact contacts[] = {
     {.mu = 0.4, .lambda_n = 1e-3, .radius = 1e-6, .gamma_t1 = -2, .gamma_t2 = 1, .omega = 3e5},
 };
 
-/// Ring and radial tolerance are asked relative to μλ_N, the largest force; the ring's enters twice (two
-/// halves).
+/// Ring and radial tolerance are asked relative to μλ_N,
+/// the largest force; the ring's enters twice (two halves).
 constexpr double force_bound = outer_tolerance + 2 * inner_tolerance + rounding;
 /// Φ is at least a third of μλ_N times the fastest slip, which its tolerance is relative to.
 constexpr double power_bound = 3 * force_bound;

@@ -33,8 +33,8 @@ constexpr double law_accuracy = 1e-13;
 /// PowerLaw compiles its second derivative a thousand times coarser than its 1e-14 for the force.
 constexpr double compiled_curvature_accuracy = 1e-11;
 
-/// Something to hold against the quadrature: its value, and its own bound on the relative error, both where
-/// it has them.
+/// Something to hold against the quadrature: its value, and its
+/// own bound on the relative error, both where it has them.
 struct Method {
   std::string name;      ///< a column of the table
   std::string where;     ///< where the formula stands
@@ -53,8 +53,8 @@ void add_exact(std::vector<Method>& methods, const std::string& column, const st
                        return Bounded{value_of(*shared, q, u),
                                       q == Quantity::curvature ? curvature_accuracy : law_accuracy};
                      }});
-  // Φ is homogeneous of degree one, so that its other second derivatives follow from f″: −u f″ and u² f″ at s
-  // = 1.
+  // Φ is homogeneous of degree one, so that its other second
+  // derivatives follow from f″: −u f″ and u² f″ at s = 1.
   methods.push_back(
       {column + "_vs_ss", "LG03 (2.1)", "the mixed and the spin curvature of the library's " + type,
        [shared, curvature_accuracy](Quantity q, double u, double result) -> std::optional<Bounded> {

@@ -85,8 +85,8 @@ void check_measure(Record& record) {
   Comparison outer;
   for (const double x : {1.2, 3.0}) {
     const double whole = AboutCentre(power_pressure(0.5))(Quantity::potential, x).value;
-    // q² √(...) between the roots is q² times a half-circle: smooth but for the ends, where QAGS expects
-    // roots.
+    // q² √(...) between the roots is q² times a half-circle:
+    // smooth but for the ends, where QAGS expects roots.
     const double right =
         3 / pi *
         over_lines(
@@ -118,8 +118,8 @@ void check_limits(Record& record) {
       ++real;
     }
   }
-  // Near θ* the root halves the digits of its argument; then ρ is stationary along the line, which doubles
-  // them again.
+  // Near θ* the root halves the digits of its argument; then
+  // ρ is stationary along the line, which doubles them again.
   constexpr double geometry_bound = 64 * 0x1p-52;
   const std::string sentence =
       " lie on the edge: largest |rho/R - 1| over " + std::to_string(real) + " points, u = 1.5";

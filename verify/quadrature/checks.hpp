@@ -18,8 +18,8 @@ int check_laws_steps();
 void check_forces(Record& record, const std::filesystem::path& folder, Progress& progress);
 int check_forces_steps();
 
-/// Tabulated pressures: RadialLaw against the disc integral, and what compiled laws state about their own
-/// error.
+/// Tabulated pressures: RadialLaw against the disc integral,
+/// and what compiled laws state about their own error.
 void check_radial(Record& record, const std::filesystem::path& folder, Progress& progress);
 int check_radial_steps();
 

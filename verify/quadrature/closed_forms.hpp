@@ -4,8 +4,8 @@
 
 namespace verify {
 
-/// A formula's value together with a bound on its relative rounding error, derived from its terms, not from a
-/// run.
+/// A formula's value together with a bound on its relative
+/// rounding error, derived from its terms, not from a run.
 struct Bounded {
   double value;
   double bound;

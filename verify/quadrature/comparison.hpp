@@ -10,8 +10,8 @@ namespace verify {
 /// One comparison over many u: what a claim is made of.
 class Comparison {
  public:
-  /// Adds one value against the oracle's, with the bound on their relative difference; a bound may depend on
-  /// u.
+  /// Adds one value against the oracle's, with the bound on
+  /// their relative difference; a bound may depend on u.
   void add(double u, double oracle, double value, double bound);
 
   double max_error() const { return max_error_; }

@@ -123,8 +123,8 @@ Bounded connected(double a, double b, double c, double gap) {
 
 Bounded hypergeometric(Quantity quantity, double n, double u) {
   const auto [factor, a, b, c, x, gap, lost] = gauss_form(quantity, n, u);
-  // Γ in the factors, powers of u, and the recurrence of the terms: t_k carries 4k roundings but falls at
-  // least like k^-2.
+  // Γ in the factors, powers of u, and the recurrence of the
+  // terms: t_k carries 4k roundings but falls at least like k^-2.
   constexpr double of_factor = 128 * 0x1p-52;
   const bool whole = std::floor(c - a - b) == c - a - b;
   const Bounded f = x < 0.5    ? by_gsl(a, b, c, x)

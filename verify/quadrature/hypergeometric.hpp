@@ -31,9 +31,9 @@ GaussForm gauss_form(Quantity quantity, double n, double u);
 /// Stegun 15.3.6) leads back there; where that has a pole, for a whole c − a − b (uniform pressure, n = 1),
 /// the series itself is summed, by Gauss's theorem at x = 1.
 ///
-/// GSL 2.7 left alone would be off by tens of percent in the latter case without saying so (savannah.gnu.org,
-/// GSL bug 54998), and it takes x closer to 1 than 2e-13 for 1, which costs f″ half its digits where that has
-/// a root (n < 0).
+/// GSL 2.7 left alone would be off by tens of percent in the latter case without
+/// saying so (savannah.gnu.org, GSL bug 54998), and it takes x closer to 1 than
+/// 2e-13 for 1, which costs f″ half its digits where that has a root (n < 0).
 Bounded hypergeometric(Quantity quantity, double n, double u);
 
 /// A bound, relative to `result`, on what cutting the paper's Taylor series after `terms` terms of Φ leaves

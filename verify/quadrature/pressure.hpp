@@ -6,16 +6,16 @@
 
 namespace verify {
 
-/// A radially symmetric pressure on the unit disc (R = 1), scaled so that its integral over the disc is 1
-/// (λ_N = 1).
+/// A radially symmetric pressure on the unit disc (R = 1),
+/// scaled so that its integral over the disc is 1 (λ_N = 1).
 struct Pressure {
   std::string name;
-  /// σ at a radius ρ whose complement 1 − ρ² is given as well: near the edge it is the complement that is
-  /// accurate.
+  /// σ at a radius ρ whose complement 1 − ρ² is given as well:
+  /// near the edge it is the complement that is accurate.
   std::function<double(double rho, double complement)> sigma;
   std::vector<double> breaks;  ///< radii in (0, 1), ascending, where σ or its slope jumps
-  /// Whether σ has a slope in ρ at the centre, a cone: its tip is then a singularity of the integrand like
-  /// the pole.
+  /// Whether σ has a slope in ρ at the centre, a cone: its tip
+  /// is then a singularity of the integrand like the pole.
   bool cone_at_centre = false;
 };
 

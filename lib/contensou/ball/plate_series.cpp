@@ -14,8 +14,8 @@
 namespace contensou {
 namespace {
 
-// The elimination subtracts nearly equal numbers, about one digit a term: 100 digits leave more than 50 for
-// the last of 40 terms.
+// The elimination subtracts nearly equal numbers, about one digit
+// a term: 100 digits leave more than 50 for the last of 40 terms.
 using Real =
     boost::multiprecision::number<boost::multiprecision::cpp_bin_float<100>, boost::multiprecision::et_off>;
 using Series = std::vector<Real>;  // in t = u² (inner) or t = u⁻² (outer)
@@ -25,7 +25,7 @@ constexpr double largest_exponent = 100;
 constexpr double negligible = 1e-50;
 
 /// ₂F₁(a, b; c; t) to `count` terms.
-Series hypergeometric(Real a, Real b, Real c, std::size_t count) {
+Series hypergeometric(const Real& a, const Real& b, const Real& c, std::size_t count) {
   Series s(count);
   Real term = 1;
   for (std::size_t k = 0; k < count; ++k) {

@@ -42,8 +42,8 @@ PlateSeries printed_uniform_plate();
 /// which `plate_series(0.5, 3)` has.
 PlateSeries printed_hertz_plate();
 
-/// The left-hand sides: the inner piece, the outer piece, and the one that holds at ξ. ξ >= 0; η of either
-/// sign.
+/// The left-hand sides: the inner piece, the outer piece,
+/// and the one that holds at ξ. ξ >= 0; η of either sign.
 double inner_side(const PlateSeries& plate, double xi, double eta);
 double outer_side(const PlateSeries& plate, double xi, double eta);
 double left_side(const PlateSeries& plate, double xi, double eta);
@@ -51,9 +51,9 @@ double left_side(const PlateSeries& plate, double xi, double eta);
 /// True if (ξ, η) belongs to the plate: left side <= 1.
 bool contains(const PlateSeries& plate, double xi, double eta);
 
-/// The border η >= 0 above ξ in [0, 1]: in closed form for ξ <= ξ*, else the smallest root of the outer
-/// polynomial, to 2 ulp of its conditioning. Jumps at ξ*. Throws std::domain_error for ξ outside [0, 1] or
-/// NaN.
+/// The border η >= 0 above ξ in [0, 1]: in closed form for ξ <= ξ*, else
+/// the smallest root of the outer polynomial, to 2 ulp of its conditioning.
+/// Jumps at ξ*. Throws std::domain_error for ξ outside [0, 1] or NaN.
 double boundary_eta(const PlateSeries& plate, double xi);
 
 /// The same from one piece alone, wherever ξ lies: what the jump at the seam is the difference of. Far

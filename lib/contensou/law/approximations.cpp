@@ -48,8 +48,7 @@ Curvature EllipsoidLaw::curvature(double v, double s) const {
       [&](SlipRatio w) { return second(std::hypot(a, b * w.x)); });
 }
 
-// ---------------------------------------------------------------------------------------------- disk ×
-// interval
+// ------------------------------------------------------------------------------------- disk × interval
 
 DecoupledLaw::DecoupledLaw(Extent semi_axes) : axes_(positive(semi_axes)) {}
 
@@ -137,8 +136,8 @@ void require_speeds(double v, double s) {
 /// ε log cosh(x/ε), the smoothed |x|.
 double smoothed(double x, double epsilon) {
   const double z = x / epsilon;
-  // cosh z = 1 + 2 sinh²(z/2), without cancellation for small z; past z = 20, e^{-2z} is below half an ulp of
-  // z − log 2.
+  // cosh z = 1 + 2 sinh²(z/2), without cancellation for small
+  // z; past z = 20, e^{-2z} is below half an ulp of z − log 2.
   if (z < 20) return epsilon * std::log1p(2 * std::sinh(z / 2) * std::sinh(z / 2));
   return x - epsilon * std::numbers::ln2;
 }

@@ -37,16 +37,17 @@ class DecoupledLaw {
 };
 
 /// Padé approximations in the manner of Zhuravlev and Kireenkov. They meet the law's value and slope of ξ at
-/// u = 0 and its values at u = ∞. First order:  ξ = u/(u + a),                      η = η_max/(1 + b u).
-/// Second order: ξ = (u² + a u)/(u² + a u + a²),     η = η_max (1 + b u)/(1 + b u + c u²).
-/// with 1/a = f''(0) = dξ/du at 0. First order: b from u η → tail for u → ∞; its η has a slope at u = 0 where
-/// the law has none. Second order: c from η = η_max − f''(0) u²/2 + ... and b from u η → tail. Evaluated to a
+/// u = 0 and its values at u = ∞.
+///   First order:  ξ = u/(u + a),                      η = η_max/(1 + b u).
+///   Second order: ξ = (u² + a u)/(u² + a u + a²),     η = η_max (1 + b u)/(1 + b u + c u²).
+/// 1/a = f''(0) = dξ/du at 0. First order: b from u η → tail for u → ∞; its η has a slope at u = 0 where the
+/// law has none. Second order: c from η = η_max − f''(0) u²/2 + ... and b from u η → tail. Evaluated to a
 /// few ulp.
 ///
-/// They are no gradients of a potential: ∂ξ/∂s and ∂η/∂v differ. `curvature` returns vv = ∂ξ/∂v and ss =
-/// ∂η/∂s as they are and for vs the geometric mean of the two, −√(∂ξ/∂s ∂η/∂v) = −√(vv ss), which keeps the
-/// matrix symmetric and positive semi-definite; γ_F is in its null space only as far as the approximation is
-/// good.
+/// They are no gradients of a potential: ∂ξ/∂s and ∂η/∂v differ. `curvature` returns
+/// vv = ∂ξ/∂v and ss = ∂η/∂s as they are and for vs the geometric mean of the two,
+/// −√(∂ξ/∂s ∂η/∂v) = −√(vv ss), which keeps the matrix symmetric and positive
+/// semi-definite; γ_F is in its null space only as far as the approximation is good.
 class PadeLaw {
  public:
   /// `slope` = f''(0), `tail` = lim u η for u → ∞ (1/(2(2+n)) for σ ∝ (1−ρ²/R²)ⁿ), see PowerLimits; all of
@@ -65,9 +66,9 @@ class PadeLaw {
   double c_;
 };
 
-/// tanh regularisation: ξ = ξ_max tanh(v/ε), η = η_max tanh(s/ε), with a velocity scale ε [m/s]. Smooth,
-/// single-valued everywhere (zero at rest: nothing ever sticks), blind to the coupling. Evaluated to a few
-/// ulp.
+/// tanh regularisation: ξ = ξ_max tanh(v/ε), η = η_max tanh(s/ε), with a
+/// velocity scale ε [m/s]. Smooth, single-valued everywhere (zero at rest:
+/// nothing ever sticks), blind to the coupling. Evaluated to a few ulp.
 class TanhLaw {
  public:
   /// Semi-axes and ε in (0, ∞); throws std::invalid_argument otherwise.

@@ -91,8 +91,8 @@ CONTENSOU_INLINE Pack logarithm(Pack y) {
   constexpr std::uint64_t root_half = 0x3fe6a09e667f3bcd;  // bits of √½
   constexpr std::uint64_t mantissa = 0x000fffffffffffff;
   const Bits bits = std::bit_cast<Bits>(y) - root_half;
-  // the exponent as a double, by way of the bits of 2^52 + exponent (not every machine converts integers in
-  // packs)
+  // the exponent as a double, by way of the bits of 2^52 +
+  // exponent (not every machine converts integers in packs)
   const Pack exponent = std::bit_cast<Pack>(((bits >> 52) ^ 0x800) | 0x4330000000000000) - (0x1p52 + 0x800);
   const Pack reduced = std::bit_cast<Pack>((bits & mantissa) + root_half);
   const Pack s = (reduced - 1) / (reduced + 1);
@@ -192,9 +192,9 @@ struct Hertz {
   static constexpr double k = 3 * std::numbers::pi / 128;
 };
 
-/// One block: every pack by the form that holds far from the seam. The values near it are collected
-/// meanwhile, done again together by the other form, and put in their places: a value pays for being near,
-/// its neighbours do not.
+/// One block: every pack by the form that holds far from the seam. The values
+/// near it are collected meanwhile, done again together by the other form, and
+/// put in their places: a value pays for being near, its neighbours do not.
 template <class Law>
 CONTENSOU_INLINE void evaluate_block(const BlockPointers& b) {
   std::array<std::uint32_t, block> place;

@@ -10,8 +10,8 @@ struct ElasticBody {
 };
 
 /// E* [Pa], LG03 (3.3): 1/E* = (1 − ν_1²)/E_1 + (1 − ν_2²)/E_2. +∞ if both are rigid.
-/// Throws std::invalid_argument, naming the value, for a modulus or Poisson's ratio outside its range. A few
-/// ulp.
+/// Throws std::invalid_argument, naming the value, for a
+/// modulus or Poisson's ratio outside its range. A few ulp.
 double effective_modulus(const ElasticBody& a, const ElasticBody& b);
 
 /// ρ* [m], LG03 (3.2): 1/ρ* = 1/ρ_1 + 1/ρ_2. Throws std::invalid_argument for a radius that is none, and

@@ -71,8 +71,8 @@ ScaledSlip scaled(const SlipVelocity& gamma, bool free) {
       throw std::domain_error("slip velocity (" + to_text(gamma[0]) + ", " + to_text(gamma[1]) + ", " +
                               to_text(gamma[2]) + "): expected finite numbers");
     }
-    // The tangential part has its own exponent, so that its length and direction do not suffer from being
-    // small.
+    // The tangential part has its own exponent, so that its
+    // length and direction do not suffer from being small.
     exponent_t = exponent_of(largest_t);
     t1 = std::ldexp(t1, -exponent_t);
     t2 = std::ldexp(t2, -exponent_t);

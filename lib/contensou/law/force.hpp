@@ -27,17 +27,17 @@ struct FrictionSet {
 
 using FrictionResponse = std::variant<FrictionForce, FrictionSet>;
 
-/// λ_F(γ_F): −λ_F ∈ ∂Φ(γ_F), LG03 (2.11), (2.20). A force where γ_F ≠ 0, the whole set where γ_F = 0; a law
-/// that is smooth at rest (it says so by `static constexpr bool smooth_at_rest = true`) gives the force zero
-/// there.
+/// λ_F(γ_F): −λ_F ∈ ∂Φ(γ_F), LG03 (2.11), (2.20). A force where γ_F ≠ 0, the
+/// whole set where γ_F = 0; a law that is smooth at rest (it says so by
+/// `static constexpr bool smooth_at_rest = true`) gives the force zero there.
 ///
-/// No overflow or underflow on the way, whatever the size of γ_F, μ and λ_N: a few ulp beside the error of
-/// the law wherever ξ, η and the result are normal numbers; a result beyond the range of doubles is infinite.
-/// γ_F → 2^k γ_F leaves the force of a law without a scale of its own unchanged to the bit, λ_N → 2^k λ_N
-/// multiplies it by 2^k.
+/// No overflow or underflow on the way, whatever the size of γ_F, μ and λ_N: a few ulp
+/// beside the error of the law wherever ξ, η and the result are normal numbers; a result
+/// beyond the range of doubles is infinite. γ_F → 2^k γ_F leaves the force of a law
+/// without a scale of its own unchanged to the bit, λ_N → 2^k λ_N multiplies it by 2^k.
 ///
-/// Throws std::invalid_argument for a negative or non-finite μ or λ_N, std::domain_error for a NaN or
-/// infinite γ_F.
+/// Throws std::invalid_argument for a negative or non-finite
+/// μ or λ_N, std::domain_error for a NaN or infinite γ_F.
 template <FrictionLaw L>
 FrictionResponse friction_force(const L& law, const Load& load, const SlipVelocity& gamma);
 

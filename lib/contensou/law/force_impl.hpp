@@ -2,8 +2,8 @@
 
 #include "contensou/law/force.hpp"
 
-// The part of force.hpp that depends on the law: a few lines each. What does not is compiled once, in
-// force.cpp.
+// The part of force.hpp that depends on the law: a few
+// lines each. What does not is compiled once, in force.cpp.
 namespace contensou::detail {
 
 /// A law with a velocity scale of its own brings its potential with it (friction_law.hpp).
@@ -37,9 +37,9 @@ struct ScaledSlip {
 
 /// Checks μ, λ_N.
 ScaledLoad scaled(const Load& load);
-/// Checks γ_F. Near the ends of the range the exponent is chosen such that the largest of |γ_T1|, |γ_T2|,
-/// |γ_τ| is in [1, 2) 2^exponent; with `free` false it is zero always, as a law with a scale of its own needs
-/// it.
+/// Checks γ_F. Near the ends of the range the exponent is chosen such that
+/// the largest of |γ_T1|, |γ_T2|, |γ_τ| is in [1, 2) 2^exponent; with `free`
+/// false it is zero always, as a law with a scale of its own needs it.
 ScaledSlip scaled(const SlipVelocity& gamma, bool free);
 
 FrictionForce assemble_force(const ScaledLoad& load, const ScaledSlip& slip, const Friction& friction);

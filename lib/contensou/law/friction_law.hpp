@@ -19,8 +19,8 @@ struct Curvature {
   double ss;
 };
 
-/// Semi-axes of the friction ball in units of μλ_N: the largest ξ (without spin), the largest η (without
-/// sliding).
+/// Semi-axes of the friction ball in units of μλ_N: the
+/// largest ξ (without spin), the largest η (without sliding).
 struct Extent {
   double xi;
   double eta;
@@ -32,9 +32,9 @@ struct Extent {
 /// Laws that have no scale of their own depend on u = v/s only (LG03 (2.8)); taking v and s apart keeps 1 - u
 /// exact near u = 1, and 1/u exact for large u.
 ///
-/// At v = s = 0 the friction is not a number but the whole set B_F; `at` and `curvature` then throw
-/// std::domain_error, as they do for NaN and negative arguments. `friction_force` (force.hpp) returns the set
-/// instead.
+/// At v = s = 0 the friction is not a number but the whole set B_F; `at` and
+/// `curvature` then throw std::domain_error, as they do for NaN and negative
+/// arguments. `friction_force` (force.hpp) returns the set instead.
 template <class L>
 concept FrictionLaw = requires(const L& law, double v, double s) {
   { law.at(v, s) } -> std::same_as<Friction>;

@@ -21,8 +21,8 @@ constexpr double pi_3_128 = 3 * std::numbers::pi / 128;
 /// in √y, up to u = 4/3; further out it is a power series in 1/u².
 constexpr double seam = 0.75;
 
-/// The inner polynomials in mc = 1 − u², all of whose terms have one sign for u <= 1: (3.17), (3.18) without
-/// cancellation.
+/// The inner polynomials in mc = 1 − u², all of whose terms have
+/// one sign for u <= 1: (3.17), (3.18) without cancellation.
 double force_over_u(double mc) { return pi_3_128 * (12 + 4 * mc); }
 double torque(double mc) { return pi_3_128 * (3 + mc * (2 + 3 * mc)); }
 double second(double mc) { return pi_3_128 * (4 + 12 * mc); }

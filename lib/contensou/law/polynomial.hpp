@@ -1,18 +1,19 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
 namespace contensou {
 
-/// Two polynomials of the same argument side by side: what one costs, both cost where the machine has two
-/// lanes.
+/// Two polynomials of the same argument side by side: what
+/// one costs, both cost where the machine has two lanes.
 using Lanes = double __attribute__((vector_size(16)));
 
 /// Coefficients of two polynomials interleaved, the shorter filled up with zeros.
 template <std::size_t N, std::size_t M>
 constexpr auto interleave(const std::array<double, N>& a, const std::array<double, M>& b) {
-  std::array<std::array<double, 2>, (N > M ? N : M)> pairs{};
+  std::array<std::array<double, 2>, std::max(N, M)> pairs{};
   for (std::size_t k = 0; k < N; ++k) pairs[k][0] = a[k];
   for (std::size_t k = 0; k < M; ++k) pairs[k][1] = b[k];
   return pairs;

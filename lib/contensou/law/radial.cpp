@@ -17,14 +17,14 @@ namespace {
 
 constexpr double two_over_pi = 2 / std::numbers::pi;
 
-/// Complete elliptic integrals of parameter m = 1 − mc in the forms that lose no digits: B, D and E = B + mc
-/// D.
+/// Complete elliptic integrals of parameter m = 1 − mc in
+/// the forms that lose no digits: B, D and E = B + mc D.
 double elliptic_b(double mc) { return mc == 0 ? 1.0 : mc * boost::math::ellint_rd(0.0, 1.0, mc) / 3; }
 double elliptic_d(double mc) { return boost::math::ellint_rd(0.0, mc, 1.0) / 3; }
 double elliptic_e(double mc) { return mc == 0 ? 1.0 : elliptic_b(mc) + mc * elliptic_d(mc); }
 
-/// Tanh-sinh quadrature over [a, b]; its nodes crowd towards the ends, so they are placed from the nearer
-/// end.
+/// Tanh-sinh quadrature over [a, b]; its nodes crowd towards
+/// the ends, so they are placed from the nearer end.
 double integrate(const std::function<double(double)>& integrand, double a, double b) {
   constexpr double tolerance = 1e-12;  // of the estimate, which lags a level behind the result
   thread_local boost::math::quadrature::tanh_sinh<double>

@@ -17,8 +17,8 @@ struct RadialPressure {
 /// length, at least 2. Throws std::invalid_argument naming the offending entry.
 RadialPressure tabulated_pressure(std::vector<double> rho, std::vector<double> sigma);
 
-/// The law of any radially symmetric pressure: a superposition of thin rings, each in complete elliptic
-/// integrals,
+/// The law of any radially symmetric pressure: a superposition
+/// of thin rings, each in complete elliptic integrals,
 ///   ξ_ring = (2/π) a B(a²), η_ring = (2/π) E(a²)          for a = v/|ωρ| <= 1,
 ///   ξ_ring = (2/π) E(a⁻²),  η_ring = (2/π) a⁻¹ B(a⁻²)     for a > 1,
 /// integrated over ρ by tanh-sinh quadrature between the pressure's breaks, split at ρ = R* = v/|ω|.
@@ -27,8 +27,8 @@ RadialPressure tabulated_pressure(std::vector<double> rho, std::vector<double> s
 /// (PowerLaw does not have that problem). Some ten microseconds a break and evaluation.
 class RadialLaw {
  public:
-  /// Throws std::invalid_argument if the pressure is negative, not finite or zero everywhere, or a break is
-  /// not in (0, 1).
+  /// Throws std::invalid_argument if the pressure is negative,
+  /// not finite or zero everywhere, or a break is not in (0, 1).
   explicit RadialLaw(RadialPressure pressure);
 
   Friction at(double v, double s) const;

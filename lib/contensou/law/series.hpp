@@ -6,8 +6,8 @@
 
 namespace contensou {
 
-/// The Taylor series of the law of σ ∝ (1 − ρ²/R²)ⁿ about u = 0 (used for u <= 1) and about u = ∞ (used for u
-/// > 1),
+/// The Taylor series of the law of σ ∝ (1 − ρ²/R²)ⁿ
+/// about u = 0 (used for u <= 1) and about u = ∞ (used for u > 1),
 ///   f = Φ/(μλ_N|ω|R) = Σ inner[k] u^(2k)  and  f = Σ outer[k] u^(1−2k),  k = 0 … terms − 1,
 /// the two hypergeometric series A ₂F₁(−½, −3/2−n; 1; u²) and u ₂F₁(−½, −½; 2+n; u⁻²). ξ = f' and η = f − u
 /// f' are taken of the cut sum term by term, so that each side has a potential; as in the paper the two sides
@@ -55,9 +55,9 @@ struct PrintedUniformLaw {
 /// past u = 1e8; from there on the values are finite nonsense of either sign. The curvature is the derivative
 /// of (3.17), evaluated in the same manner.
 ///
-/// The one deviation from the letter: for u > 1e77, where u⁴ leaves the range of doubles and the letter would
-/// be ∞ − ∞, and at s = 0, where u is infinite, the limit u → ∞ of the printed formula is returned (ξ = 1, η
-/// = 0, u³ f'' = 1/5).
+/// The one deviation from the letter: for u > 1e77, where u⁴ leaves the range of
+/// doubles and the letter would be ∞ − ∞, and at s = 0, where u is infinite, the
+/// limit u → ∞ of the printed formula is returned (ξ = 1, η = 0, u³ f'' = 1/5).
 struct PrintedHertzLaw {
   Friction at(double v, double s) const;
   Curvature curvature(double v, double s) const;

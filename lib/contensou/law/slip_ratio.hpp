@@ -50,8 +50,8 @@ Friction friction_from(double v, double s, const Inner& inner, const Outer& oute
   return {form.force, form.torque * w.x};
 }
 
-/// Second derivatives of s f(v/s) from f''(u) inside and u³ f''(u) outside; no intermediate overflows before
-/// the result.
+/// Second derivatives of s f(v/s) from f''(u) inside and u³
+/// f''(u) outside; no intermediate overflows before the result.
 template <class Inner, class Outer>
 Curvature curvature_from(double v, double s, const Inner& second_inner, const Outer& second_outer) {
   require_slip(v, s);

@@ -5,9 +5,8 @@
 namespace contensou {
 
 /// The exact law of a uniform pressure, σ = λ_N/(πR²): LG03 (2.1), (2.2) without truncation, in complete
-/// elliptic integrals. ξ, η and Φ are C² , C¹ and C² across u = 1; third derivatives of Φ diverge there like
-/// a logarithm. Accuracy: see the accuracy table of the report; at most 4 ulp for every pair of doubles,
-/// proven by test.
+/// elliptic integrals. Across u = 1 Φ is C², ξ and η are C¹; their next derivatives diverge there like a
+/// logarithm. Accuracy: see the accuracy table of the report; at most 4 ulp for every pair of doubles.
 struct UniformLaw {
   Friction at(double v, double s) const;
   Curvature curvature(double v, double s) const;

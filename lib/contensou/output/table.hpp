@@ -25,8 +25,8 @@ struct Table {
 
   /// The index of a column; throws std::out_of_range naming it if there is none.
   std::size_t column(std::string_view name) const;
-  /// A whole column as text or as numbers (std::invalid_argument, with column and row, where one does not
-  /// parse).
+  /// A whole column as text or as numbers (std::invalid_argument,
+  /// with column and row, where one does not parse).
   std::vector<std::string> texts(std::string_view name) const;
   std::vector<double> numbers(std::string_view name) const;
 };
