@@ -145,10 +145,7 @@ void add_law(CLI::App& program) {
 
   const auto options = std::make_shared<LawOptions>();
   law->add_option("--pressure", options->pressure,
-                  "How the pressure sigma falls off towards the rim:\n"
-                  "uniform (constant), hertz (sqrt(1 - rho^2/R^2), which\n"
-                  "the paper calls parabolic) or power:N\n"
-                  "((1 - rho^2/R^2)^N, N > -1)")
+                  "How the pressure sigma falls off towards the rim: one of\nthose below")
       ->required()
       ->option_text("P");
   law->add_option("--model", options->model, "exact (if not given), or one of those below")->option_text("M");
@@ -157,7 +154,8 @@ void add_law(CLI::App& program) {
   law->add_option("U", options->u,
                   "Values of u, each in [0, inf]; where none is given, one\na line from standard input")
       ->option_text("...");
-  law->footer("Models:\n" + indented(contensou::model_help()) + '\n' + examples);
+  law->footer("Pressures:\n" + indented(contensou::pressure_help()) + "\nModels:\n" +
+              indented(contensou::model_help()) + '\n' + examples);
   law->callback([options] { run(*options); });
 }
 

@@ -32,17 +32,19 @@ Extent positive(Extent axes) {
 EllipsoidLaw::EllipsoidLaw(Extent semi_axes) : axes_(positive(semi_axes)) {}
 
 Friction EllipsoidLaw::at(double v, double s) const {
-  const auto [a, b] = axes_;
+  const double a = axes_.xi;
+  const double b = axes_.eta;
   // The quotients before the products: a² may overflow, a (a/h) does so only if the result does.
-  const auto form = [a = a, b = b](double h) { return BoundedForm{a * (a / h), b * (b / h), 0}; };
+  const auto form = [=](double h) { return BoundedForm{a * (a / h), b * (b / h), 0}; };
   return friction_from(
       v, s, [&](SlipRatio u) { return form(std::hypot(a * u.x, b)); },
       [&](SlipRatio w) { return form(std::hypot(a, b * w.x)); });
 }
 
 Curvature EllipsoidLaw::curvature(double v, double s) const {
-  const auto [a, b] = axes_;
-  const auto second = [a = a, b = b](double h) { return (a / h) * (a / h) * (b / h) * b; };
+  const double a = axes_.xi;
+  const double b = axes_.eta;
+  const auto second = [=](double h) { return (a / h) * (a / h) * (b / h) * b; };
   return curvature_from(
       v, s, [&](SlipRatio u) { return second(std::hypot(a * u.x, b)); },
       [&](SlipRatio w) { return second(std::hypot(a, b * w.x)); });

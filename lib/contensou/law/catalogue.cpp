@@ -9,9 +9,6 @@
 namespace contensou {
 namespace {
 
-constexpr double largest_exponent = 1e6;
-constexpr int most_terms = 1000;
-
 [[noreturn]] void reject(std::string_view value, std::string_view expected) {
   throw std::invalid_argument(std::string(value) + ": expected " + std::string(expected));
 }
@@ -52,7 +49,7 @@ double pressure_exponent(std::string_view pressure) {
   if (!after("power:", pressure, number)) reject(pressure, "uniform, hertz or power:N");
   double n = 0;
   if (!parse(number, n) || n <= -1) reject(pressure, "power:N with N > -1");
-  if (n > largest_exponent) reject(pressure, "power:N with N <= 1e6");
+  if (n > PowerQuadrature::largest_n) reject(pressure, "power:N with N <= 1e6");
   return n;
 }
 
@@ -73,7 +70,7 @@ AnyLaw make_law(std::string_view pressure, std::string_view model) {
   std::string_view number;
   if (after("series:", model, number)) {
     int terms = 0;
-    if (!parse(number, terms) || terms < 1 || terms > most_terms)
+    if (!parse(number, terms) || terms < 1 || terms > SeriesLaw::most_terms)
       reject(model, "series:K with a whole K from 1 to 1000");
     return SeriesLaw(n, terms);
   }

@@ -6,12 +6,6 @@
 // lines each. What does not is compiled once, in force.cpp.
 namespace contensou::detail {
 
-/// A law with a velocity scale of its own brings its potential with it (friction_law.hpp).
-template <class L>
-concept HasOwnScale = requires(const L& law) {
-  law.potential(1.0, 1.0);
-};
-
 template <class L>
 concept SmoothAtRest = requires {
   requires L::smooth_at_rest;
@@ -57,7 +51,7 @@ namespace contensou {
 template <FrictionLaw L>
 FrictionResponse friction_force(const L& law, const Load& load, const SlipVelocity& gamma) {
   const detail::ScaledLoad scaled_load = detail::scaled(load);
-  const detail::ScaledSlip slip = detail::scaled(gamma, !detail::HasOwnScale<L>);
+  const detail::ScaledSlip slip = detail::scaled(gamma, !HasOwnScale<L>);
   if constexpr (!detail::SmoothAtRest<L>) {
     if (slip.at_rest()) return detail::assemble_set(scaled_load, law.extent());
   }
@@ -67,7 +61,7 @@ FrictionResponse friction_force(const L& law, const Load& load, const SlipVeloci
 template <FrictionLaw L>
 double potential(const L& law, const Load& load, const SlipVelocity& gamma) {
   const detail::ScaledLoad scaled_load = detail::scaled(load);
-  const detail::ScaledSlip slip = detail::scaled(gamma, !detail::HasOwnScale<L>);
+  const detail::ScaledSlip slip = detail::scaled(gamma, !HasOwnScale<L>);
   if (slip.at_rest()) return 0;
   return detail::assemble_potential(scaled_load, slip.exponent, potential(law, slip.v, slip.s));
 }
@@ -75,7 +69,7 @@ double potential(const L& law, const Load& load, const SlipVelocity& gamma) {
 template <FrictionLaw L>
 Eigen::Matrix3d hessian(const L& law, const Load& load, const SlipVelocity& gamma) {
   const detail::ScaledLoad scaled_load = detail::scaled(load);
-  const detail::ScaledSlip slip = detail::scaled(gamma, !detail::HasOwnScale<L>);
+  const detail::ScaledSlip slip = detail::scaled(gamma, !HasOwnScale<L>);
   if constexpr (!detail::SmoothAtRest<L>) {
     if (slip.at_rest()) detail::no_derivative_at_rest();
   }

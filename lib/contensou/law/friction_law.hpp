@@ -42,11 +42,17 @@ concept FrictionLaw = requires(const L& law, double v, double s) {
   { law.extent() } -> std::same_as<Extent>;
 };
 
+/// A law with a velocity scale of its own: not homogeneous of degree one, it brings its potential with it.
+template <class L>
+concept HasOwnScale = requires(const L& law, double v, double s) {
+  { law.potential(v, s) } -> std::same_as<double>;
+};
+
 /// Φ/(μλ_N) [m/s]: the velocity pseudo-potential, LG03 (2.1). For a law that is homogeneous of degree one it
 /// is the dissipated power v ξ + s η (Euler); a law with a scale of its own brings its potential with it.
 template <FrictionLaw L>
 double potential(const L& law, double v, double s) {
-  if constexpr (requires { law.potential(v, s); }) {
+  if constexpr (HasOwnScale<L>) {
     return law.potential(v, s);
   } else {
     const auto [xi, eta] = law.at(v, s);
@@ -65,7 +71,7 @@ struct Reduced {
 /// its own is taken at √(v² + (ωR)²) = 1 m/s. Throws std::domain_error for NaN or negative u.
 template <FrictionLaw L>
 Reduced reduced(const L& law, double u) {
-  if constexpr (requires { law.potential(u, u); }) {
+  if constexpr (HasOwnScale<L>) {
     const double length = std::hypot(u, 1.0);
     const double v = std::isinf(u) ? 1.0 : u / length;
     const double s = 1.0 / length;

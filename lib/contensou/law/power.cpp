@@ -14,8 +14,6 @@
 namespace contensou {
 namespace {
 
-constexpr double largest_n = 1e6;
-
 /// The three bounded forms side by side.
 using Three = Eigen::Array3d;
 

@@ -13,7 +13,8 @@ namespace contensou {
 /// integral along each chord through the pole in closed form (Beta functions).
 class PowerQuadrature {
  public:
-  /// Valid for -1 < n <= 1e6; throws std::invalid_argument otherwise.
+  static constexpr double largest_n = 1e6;
+  /// Valid for -1 < n <= largest_n; throws std::invalid_argument otherwise.
   explicit PowerQuadrature(double n);
   Friction at(double v, double s) const;
   Curvature curvature(double v, double s) const;

@@ -11,8 +11,6 @@
 namespace contensou {
 namespace {
 
-constexpr int most_terms = 1000;
-
 /// Σ_{k >= first} weight(k) c[k] x^(k − first), by Horner's rule.
 template <class Weight>
 double weighted_sum(const std::vector<double>& c, std::size_t first, double x, const Weight& weight) {

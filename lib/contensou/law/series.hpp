@@ -20,7 +20,8 @@ namespace contensou {
 /// term; the error that counts is that of cutting. One term alone gives ξ = 0 inside and η = 0 outside.
 class SeriesLaw {
  public:
-  /// Finite n > -1, 1 <= terms <= 1000; throws std::invalid_argument otherwise.
+  static constexpr int most_terms = 1000;
+  /// Finite n > -1, 1 <= terms <= most_terms; throws std::invalid_argument otherwise.
   SeriesLaw(double n, int terms);
 
   /// Throw std::domain_error as every law does (friction_law.hpp).
