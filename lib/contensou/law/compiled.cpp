@@ -117,8 +117,8 @@ CompiledLaw::Half CompiledLaw::compile(const std::function<BoundedForm(double)>&
         error[q] = std::max(error[q], std::abs(value - exact[q]) / std::abs(exact[q]));
       }
     }
-    const bool good =
-        safety * std::max(error[0], error[1]) <= tolerance && error[2] <= second_tolerance_factor * tolerance;
+    const bool good = safety * std::max(error[0], error[1]) <= tolerance &&
+                      safety * error[2] <= second_tolerance_factor * tolerance;
     if (good || b - a <= narrowest) {
       error_bound_ = std::max({error_bound_, safety * error[0], safety * error[1]});
       half.left.push_back(a);
