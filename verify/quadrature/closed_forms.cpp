@@ -6,6 +6,9 @@
 #include <limits>
 #include <numbers>
 
+#include "rivals/elliptic.hpp"
+#include "rivals/printed.hpp"
+
 namespace verify {
 namespace {
 
@@ -20,48 +23,56 @@ double error_of_gsl_e(double m) {
   return gap > 0 && gap <= std::sqrt(epsilon) ? gap * (1.05e-4 + 1.7e-5 * std::abs(std::log(gap))) : 0;
 }
 
-/// scale (a E + b (1 − m) K), what every one of the forms consists of, with the bound on its rounding error.
-Bounded two_terms(double scale, double a, double e, double b, double k_rest, double m, double result) {
-  const double of_terms = roundings * epsilon * (std::abs(a * e) + std::abs(b * k_rest));
-  return {scale * (a * e + b * k_rest),
-          scale * (of_terms + std::abs(a) * error_of_gsl_e(m)) / std::abs(result)};
-}
-
-}  // namespace
-
-Bounded textbook_uniform(Quantity quantity, double u, double result) {
-  const bool inner = u <= 1;
-  const double k = inner ? u : 1 / u;
-  const double m = k * k;
-  // GSL refuses k = 1, where E = 1, and K has a logarithm, so that (1 − m) K tends to zero.
-  const double e = m < 1 ? gsl_sf_ellint_Ecomp(k, GSL_PREC_DOUBLE) : 1;
-  const double k_rest = m < 1 ? (1 - m) * gsl_sf_ellint_Kcomp(k, GSL_PREC_DOUBLE) : 0;
-  const auto form = [&](double scale, double of_e, double of_k) {
-    return two_terms(scale, of_e, e, of_k, k_rest, m, result);
-  };
+/// What a form of somebody else gives for one of the quantities, f itself for the potential.
+double value_of_form(const rivals::ClosedForm& form, Quantity quantity, double u) {
   switch (quantity) {
     case Quantity::potential:
-      return inner ? form(4 / (9 * pi), 7 + m, -4) : form(4 * u / (9 * pi * m), 1 + 7 * m, -(1 + 3 * m));
+      return form.at(u).phi * std::hypot(u, 1.0);
     case Quantity::force:
-      return form(inner ? 4 / (3 * pi * u) : 4 / (3 * pi * m), 1 + m, -1);
+      return form.at(u).xi;
     case Quantity::torque:
-      return inner ? form(4 / (9 * pi), 4 - 2 * m, -1) : form(4 * u / (9 * pi * m), 4 * m - 2, 2 - 3 * m);
+      return form.at(u).eta;
     case Quantity::curvature:
-      return inner ? form(4 / (3 * pi * m), 2 * m - 1, 1) : form(4 * u / (3 * pi), 2 - m, -2);
+      return form.second(u);
     case Quantity::load:
       break;
   }
-  return {nan, nan};
+  return nan;
 }
 
-namespace {
+/// The textbook form is scale (of_e E + of_k (1 − m) K), m = min(u, 1/u)².
+struct TextbookTerms {
+  double scale;
+  double of_e;
+  double of_k;
+};
 
-/// The printed Hertz form for u > 1 is scale (angle_factor arcsin(1/u) + root_factor √(u² − 1)).
+TextbookTerms textbook_terms(Quantity quantity, double u) {
+  const bool inner = u <= 1;
+  const double m = inner ? u * u : 1 / (u * u);
+  switch (quantity) {
+    case Quantity::potential:
+      if (inner) return {4 / (9 * pi), 7 + m, -4};
+      return {4 * u / (9 * pi * m), 1 + 7 * m, -(1 + 3 * m)};
+    case Quantity::force:
+      return {inner ? 4 / (3 * pi * u) : 4 / (3 * pi * m), 1 + m, -1};
+    case Quantity::torque:
+      if (inner) return {4 / (9 * pi), 4 - 2 * m, -1};
+      return {4 * u / (9 * pi * m), 4 * m - 2, 2 - 3 * m};
+    case Quantity::curvature:
+      if (inner) return {4 / (3 * pi * m), 2 * m - 1, 1};
+      return {4 * u / (3 * pi), 2 - m, -2};
+    case Quantity::load:
+      break;
+  }
+  return {nan, nan, nan};
+}
+
+/// The printed Hertz form for u > 1 is scale (... arcsin(1/u) + ... √(u² − 1)); the sizes are those of the
+/// two factors with every term taken positive.
 struct HertzTerms {
   double scale;
-  double angle_factor;
-  double root_factor;
-  double angle_size;  ///< angle_factor and root_factor with every term taken positive
+  double angle_size;
   double root_size;
 };
 
@@ -70,17 +81,29 @@ HertzTerms outer_terms(Quantity quantity, double u) {
   const double u4 = u2 * u2;
   switch (quantity) {
     case Quantity::potential:
-      return {3.0 / 64, -u4 + 8 * u2 + 8, u2 + 14, u4 + 8 * u2 + 8, u2 + 14};
+      return {3.0 / 64, u4 + 8 * u2 + 8, u2 + 14};
     case Quantity::force:
-      return {3.0 / 16 / u, u2 * (4 - u2), u2 + 2, u2 * (4 + u2), u2 + 2};
+      return {3.0 / 16 / u, u2 * (4 + u2), u2 + 2};
     case Quantity::torque:
-      return {3.0 / 64, 3 * u4 - 8 * u2 + 8, -3 * u2 + 6, 3 * u4 + 8 * u2 + 8, 3 * u2 + 6};
+      return {3.0 / 64, 3 * u4 + 8 * u2 + 8, 3 * u2 + 6};
     default:
-      return {nan, nan, nan, nan, nan};
+      return {nan, nan, nan};
   }
 }
 
 }  // namespace
+
+Bounded textbook_uniform(Quantity quantity, double u, double result) {
+  const double k = u <= 1 ? u : 1 / u;
+  const double m = k * k;
+  // GSL refuses k = 1, where E = 1, and K has a logarithm, so that (1 − m) K tends to zero.
+  const double e = m < 1 ? gsl_sf_ellint_Ecomp(k, GSL_PREC_DOUBLE) : 1;
+  const double k_rest = m < 1 ? (1 - m) * gsl_sf_ellint_Kcomp(k, GSL_PREC_DOUBLE) : 0;
+  const TextbookTerms t = textbook_terms(quantity, u);
+  const double of_terms = roundings * epsilon * (std::abs(t.of_e * e) + std::abs(t.of_k * k_rest));
+  return {value_of_form(rivals::textbook_gsl, quantity, u),
+          t.scale * (of_terms + std::abs(t.of_e) * error_of_gsl_e(m)) / std::abs(result)};
+}
 
 double printed_hertz_bound(Quantity quantity, double u, double result) {
   if (u <= 1) {
@@ -101,22 +124,8 @@ double printed_hertz_bound(Quantity quantity, double u, double result) {
 }
 
 Bounded printed_hertz(Quantity quantity, double u, double result) {
-  const double bound = printed_hertz_bound(quantity, u, result);
-  if (u > 1) {
-    const HertzTerms t = outer_terms(quantity, u);
-    return {t.scale * (t.angle_factor * std::asin(1 / u) + t.root_factor * std::sqrt(u * u - 1)), bound};
-  }
-  const double u2 = u * u;
-  switch (quantity) {
-    case Quantity::potential:
-      return {3 * pi / 128 * (-u2 * u2 + 8 * u2 + 8), bound};
-    case Quantity::force:
-      return {3 * pi / 32 * u * (-u2 + 4), bound};
-    case Quantity::torque:
-      return {3 * pi / 128 * (3 * u2 * u2 - 8 * u2 + 8), bound};
-    default:
-      return {nan, nan};
-  }
+  if (quantity == Quantity::curvature) return {nan, nan};
+  return {value_of_form(rivals::printed_hertz, quantity, u), printed_hertz_bound(quantity, u, result)};
 }
 
 }  // namespace verify
