@@ -37,7 +37,7 @@ endfunction()
 contensou_run(verify_quadrature "Verification: the definition (2.1) by adaptive quadrature")
 contensou_run(verify_ledger "Verification: every equation and claim of the paper")
 contensou_run(verify_plates "Verification: the friction plates")
-contensou_run(verify_accuracy "Verification: accuracy in ulp")
+contensou_run(verify_accuracy "Verification: accuracy in ulp" ${PROJECT_SOURCE_DIR}/verify/accuracy/accuracy.gp)
 contensou_run(bench_laws "What accuracy costs: measuring" ${PROJECT_SOURCE_DIR}/bench/laws/cost_laws.gp)
 
 # Measured times stand until the program changes; who asks for them by name wants them measured now.

@@ -77,17 +77,6 @@ const Quad& exact(const Cancellation& c, const ReferenceRow& row) {
   return quantity == "phi" ? row.phi : quantity == "xi" ? row.xi : quantity == "eta" ? row.eta : row.second;
 }
 
-/// The exact law away from the seam, from u = 2 to 1e9 and from 1/2 to 1e-9, 200 points a decade.
-std::vector<ReferenceRow> scan(double n, bool outwards) {
-  constexpr int per_decade = 200;
-  std::vector<ReferenceRow> rows;
-  for (int k = 0;; ++k) {
-    const double u = 2 * std::pow(10.0, static_cast<double>(k) / per_decade);
-    if (u > 1e9) return rows;
-    rows.push_back(series_oracle(n, outwards ? u : 1 / u));
-  }
-}
-
 void check_oracle(double n, const std::string& pressure, const std::filesystem::path& reference,
                   verify::Record& record) {
   double worst = 0;
@@ -148,8 +137,8 @@ void measure_loss(const std::filesystem::path& reference, const std::filesystem:
       {}};
   check_oracle(0, "uniform", reference, record);
   check_oracle(0.5, "hertz", reference, record);
-  const std::array<std::vector<ReferenceRow>, 2> uniform{scan(0, false), scan(0, true)};
-  const std::array<std::vector<ReferenceRow>, 2> hertz{scan(0.5, false), scan(0.5, true)};
+  const std::array<std::vector<ReferenceRow>, 2> uniform{series_scan(0, false), series_scan(0, true)};
+  const std::array<std::vector<ReferenceRow>, 2> hertz{series_scan(0.5, false), series_scan(0.5, true)};
 
   for (const Cancellation& c : cancellations) {
     const bool outwards = c.power > 0;

@@ -6,6 +6,7 @@
 
 #include "common/program.hpp"
 #include "loss.hpp"
+#include "over_u.hpp"
 #include "power_law.hpp"
 #include "record.hpp"
 #include "ulp_table.hpp"
@@ -19,6 +20,7 @@ int run(const std::filesystem::path& folder) {
   accuracy::measure_ulp(reference, folder, record);
   std::printf("where formulas lose their digits\n");
   accuracy::measure_loss(reference, folder, record);
+  accuracy::tabulate_over_u(reference, folder);
   std::printf("general exponents\n");
   accuracy::measure_power_law(reference, folder, record);
   return record.finish(folder / "parts");

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <sstream>
 #include <stdexcept>
 
 #include "contensou/output/table.hpp"
@@ -56,6 +57,20 @@ double reference_exponent(const std::filesystem::path& path) {
     if (comment.starts_with(key)) return std::strtod(comment.c_str() + key.size(), nullptr);
   }
   throw std::runtime_error(path.string() + ": no comment line 'n = ...'");
+}
+
+std::map<std::string, std::string> range_intervals(const std::filesystem::path& path) {
+  constexpr std::string_view key = "range:";
+  for (const std::string& comment : contensou::read_table(path).comments) {
+    if (!comment.starts_with(key)) continue;
+    std::istringstream words(comment.substr(key.size()));
+    std::map<std::string, std::string> intervals;
+    for (std::string name, lower, upper; words >> name >> lower >> upper;) {
+      intervals[name] = lower + " " + upper;
+    }
+    return intervals;
+  }
+  throw std::runtime_error(path.string() + ": no comment line 'range: ...'");
 }
 
 }  // namespace accuracy

@@ -1,6 +1,7 @@
 #include "series_oracle.hpp"
 
 #include <boost/math/constants/constants.hpp>
+#include <cmath>
 #include <stdexcept>
 
 namespace accuracy {
@@ -45,6 +46,16 @@ ReferenceRow series_oracle(double exponent, double u) {
   row.eta = tail / x * gauss(half, half, 3 + n, m);
   row.second = tail / (x * x * x) * gauss(3 * half, half, 3 + n, m);
   return row;
+}
+
+std::vector<ReferenceRow> series_scan(double n, bool outwards) {
+  constexpr int per_decade = 200;
+  std::vector<ReferenceRow> rows;
+  for (int k = 0;; ++k) {
+    const double u = 2 * std::pow(10.0, static_cast<double>(k) / per_decade);
+    if (u > 1e9) return rows;
+    rows.push_back(series_oracle(n, outwards ? u : 1 / u));
+  }
 }
 
 }  // namespace accuracy

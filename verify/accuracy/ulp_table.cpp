@@ -1,29 +1,18 @@
 #include "ulp_table.hpp"
 
-#include <array>
 #include <cstdio>
 #include <string>
 
 #include "contenders.hpp"
 #include "contensou/output/table.hpp"
 #include "errors.hpp"
+#include "quantities.hpp"
 
 namespace accuracy {
 namespace {
 
 /// What the library promises of the uniform and the Hertz law, for every double.
 constexpr double bound_ulp = 4;
-
-struct Quantity {
-  const char* name;
-  double Values::*value;
-  Quad ReferenceRow::*exact;
-};
-
-const std::array<Quantity, 4> quantities{{{"phi", &Values::phi, &ReferenceRow::phi},
-                                          {"xi", &Values::xi, &ReferenceRow::xi},
-                                          {"eta", &Values::eta, &ReferenceRow::eta},
-                                          {"f2", &Values::second, &ReferenceRow::second}}};
 
 /// The names of the ranges in the order in which they stand in the table.
 std::vector<std::string> range_names(const std::vector<ReferenceRow>& rows) {
@@ -41,8 +30,8 @@ void measure_ulp(const std::filesystem::path& reference, const std::filesystem::
   contensou::Table table{
       {"Errors of the uniform and the Hertz law in units in the last place (ulp), for several ways to "
        "compute them",
-       "quantity: phi = f/sqrt(1+u^2), xi = f', eta = f - u f', f2 = f''; ranges as in "
-       "reference_data/accuracy",
+       "quantity: phi = f/sqrt(1+u^2), xi = f', eta = f - u f', f2 = f''; ranges and intervals of "
+       "u as in reference_data/accuracy",
        "max_ulp, mean_ulp against 34 exact digits (0.5 is the best a double can do); mean over finite "
        "values; worst_u: "
        "where the maximum is",
@@ -52,11 +41,14 @@ void measure_ulp(const std::filesystem::path& reference, const std::filesystem::
        "promoted to long double) and GSL. carlson: R_D from Boost. printed: LG03 (3.14), (3.17), (3.18); "
        "printed_series: "
        "LG03 (2.8), (2.13), (2.14)"},
-      {"pressure", "method", "quantity", "range", "points", "max_ulp", "mean_ulp", "worst_u", "not_finite"},
+      {"pressure", "method", "quantity", "range", "interval", "points", "max_ulp", "mean_ulp", "worst_u",
+       "not_finite"},
       {}};
   const std::vector<Contender> all = contenders();
   for (const std::string pressure : {"uniform", "hertz"}) {
-    const std::vector<ReferenceRow> rows = read_reference(reference / "accuracy" / (pressure + ".tsv"));
+    const std::filesystem::path stored = reference / "accuracy" / (pressure + ".tsv");
+    const std::vector<ReferenceRow> rows = read_reference(stored);
+    const auto intervals = range_intervals(stored);
     std::vector<double> u;
     for (const ReferenceRow& row : rows) u.push_back(row.u);
     for (const Contender& contender : all) {
@@ -73,8 +65,8 @@ void measure_ulp(const std::filesystem::path& reference, const std::filesystem::
             }
           }
           if (!(summary.max() <= worst)) worst = summary.max();
-          table.add({pressure, contender.method, quantity.name, range, static_cast<double>(summary.points()),
-                     summary.max(), summary.mean(), summary.worst_u(),
+          table.add({pressure, contender.method, quantity.name, range, intervals.at(range),
+                     static_cast<double>(summary.points()), summary.max(), summary.mean(), summary.worst_u(),
                      static_cast<double>(summary.not_finite())});
           if (contender.ours) {
             record.add(
