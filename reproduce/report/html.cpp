@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <iterator>
-#include <optional>
+
+#include "number.hpp"
 
 namespace report {
 namespace {
@@ -48,35 +47,15 @@ std::string with_indices(std::string_view text) {
   return html;
 }
 
-std::optional<double> number(std::string_view text) {
-  double x = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x);
-  if (error != std::errc() || end != text.data() + text.size() || text.empty()) return std::nullopt;
-  return x;
-}
-
-std::string superscript(std::string_view digits) {
-  return fmt::format("<sup>{}{}</sup>", digits.front() == '-' ? "−" : "", std::abs(std::atoi(digits.data())));
-}
-
-std::string readable(double x) {
-  if (std::isinf(x)) return x > 0 ? "∞" : "−∞";
-  std::string text = fmt::format("{:.4g}", x);
-  if (const std::size_t e = text.find('e'); e != std::string::npos) {
-    const std::string exponent = text.substr(e + 1);
-    const std::string mantissa = text.substr(0, e) + "·";
-    text = (mantissa == "1·" ? "" : mantissa == "-1·" ? "-" : mantissa) + "10" + superscript(exponent);
-  }
-  if (text.front() == '-') text.replace(0, 1, "−");
-  return text;
-}
-
 std::string kind_of_verdict(std::string_view verdict) {
   if (verdict == "holds") return "good";
   if (verdict == "fails" || verdict == "holds unexpectedly" || verdict == "wrong") return "bad";
   if (verdict == "not checkable") return "open";
   return "warn";
 }
+
+// Where in u something is: with all digits.
+bool is_place(std::string_view column) { return column == "worst_u" || column.starts_with("where_"); }
 
 }  // namespace
 
@@ -122,7 +101,9 @@ std::string prose(std::string_view text) {
 
 std::string cell(std::string_view text) {
   const auto x = number(text);
-  return x ? readable(*x) : prose(text);
+  if (!x) return prose(text);
+  const std::string few = rounded(*x);
+  return few == "1" ? unrounded(text) : few;
 }
 
 std::string table(const contensou::Table& table, std::string_view id, std::string_view title, bool open) {
@@ -160,7 +141,7 @@ std::string table(const contensou::Table& table, std::string_view id, std::strin
                             escape(row[j]));
       } else if (number(row[j])) {
         html += fmt::format("<td{0} class=\"n\" data-n=\"{1}\" title=\"{1}\">{2}</td>", name, escape(row[j]),
-                            cell(row[j]));
+                            is_place(column) ? unrounded(row[j]) : cell(row[j]));
       } else {
         html += fmt::format("<td{}>{}</td>", name, prose(row[j]));
       }

@@ -14,7 +14,8 @@ std::string escape(std::string_view text);
 /// Plain text with Unicode mathematics: escaped, `code` set as code, λ_N or P_F set with a subscript.
 std::string prose(std::string_view text);
 
-/// A number as a reader wants it (4 digits, powers of ten), other text as prose.
+/// A number as a reader wants it (4 digits, powers of ten; what is not 1 does not read 1), other text as
+/// prose.
 std::string cell(std::string_view text);
 
 /// A table that page.js sorts by a click on a column's head and filters by text or verdict; scrolls by itself

@@ -42,3 +42,11 @@ for (const tile of document.querySelectorAll("a[data-filter]")) {
     if (box && box.showVerdict) box.showVerdict(tile.dataset.filter);
   });
 }
+// A link to a row opens the table around it.
+const openTarget = () => {
+  const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
+  const box = target && target.closest("details");
+  if (box && !box.open) { box.open = true; target.scrollIntoView(); }
+};
+addEventListener("hashchange", openTarget);
+openTarget();

@@ -51,7 +51,7 @@ do for [row = 1:3] {
     set format x (row == 3 ? '10^{%T}' : '')
     set format y (col == 1 ? '10^{%T}' : '')
     set xlabel (row == 3 ? '{/:Italic u} = |{/:Italic v}|/(|{/:Italic ω}|{/:Italic R})' : '') offset 0,0.3
-    set ylabel (col == 1 ? 'relative error of ' . symbol[row] : '') offset 0.6,0
+    set ylabel (col == 1 ? 'relative error of ' . symbol[row] : '') offset 2.0,0
     set title (row == 1 ? (col == 1 ? 'Uniform pressure' : 'Hertz pressure') : '') offset 0,-0.6
     unset label
     eval labels[2*row + col - 2]
