@@ -4,15 +4,16 @@ load style
 # (a) the cone
 call mesh data."/fig02a.tsv" "phi" "v" "omega_r" "phi"
 
-eval panel("fig02a", 480, 420)
+eval panel("fig02a", 480, 450)
 eval space
-set view 64, 32, 1.06, 1.1
+set origin 0,0.02
+set view 64, 32, 1.06, 1.4
 set xyplane at 0
 set xrange [-1.6:1.6]; set yrange [-1.6:1.6]; set zrange [0:1]
 
 set xtics -1,1,1 offset 0,-0.3; set ytics -1,1,1 offset 0.4,-0.2; set ztics 0,0.5,1
-set xlabel "{/:Italic v} [m/s]" offset 0,-0.6
-set ylabel "{/:Italic ωR} [m/s]" offset -2.5,-0.6
+set xlabel "{/:Italic v} [m/s]" offset 0.6,0.1
+set ylabel "{/:Italic ωR} [m/s]" offset -3.4,0.4
 set label 1 "Φ/({/:Italic μλ_N}) [m/s]" at -1.6,-1.6,1.16 center
 set border 31 linewidth 0.6
 set palette defined (0 '#f2f7fb', 1 '#5aa2cf')

@@ -3,15 +3,16 @@ load style
 
 call mesh data."/fig04.tsv" "meridian" "lambda_t1" "lambda_t2" "lambda_tau"
 
-eval panel("fig04", 480, 420)
+eval panel("fig04", 480, 335)
 eval space
-set view 66, 34, 1.2
+set origin 0,0.075  # the box of the axes leaves more room above than below
+set view 66, 34, 1.74
 set view equal xyz
 set xyplane at -0.8
 set xrange [-1.1:1.1]; set yrange [-1.1:1.1]; set zrange [-0.8:0.8]
 set xtics -1,1,1 offset 0,-0.3; set ytics -1,1,1 offset 0.4,-0.2; set ztics ("−2/3" -2.0/3, "0" 0, "2/3" 2.0/3)
-set xlabel "{/:Italic λ}_{/:Italic T}_1/({/:Italic μλ_N})" offset 0,-0.6
-set ylabel "{/:Italic λ}_{/:Italic T}_2/({/:Italic μλ_N})" offset -2.0,-0.6
+set xlabel "{/:Italic λ}_{/:Italic T}_1/({/:Italic μλ_N})" offset 3,1.0
+set ylabel "{/:Italic λ}_{/:Italic T}_2/({/:Italic μλ_N})" offset -7.2,0.6
 set label 1 "{/:Italic λ_τ}/({/:Italic μλ_N})" at -1.1,-1.1,1.0 center
 set border 31 linewidth 0.6
 set palette defined (0 '#dcebf5', 1 '#5aa2cf')
