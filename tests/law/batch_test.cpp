@@ -69,6 +69,22 @@ TEST_CASE("Any length, and no row depends on its neighbours", "[law][batch]") {
   }
 }
 
+TEST_CASE("In place: one of the results where u was", "[law][batch]") {
+  const std::vector<double> us = many_ratios();
+  for (const auto batch : {reduced_uniform, reduced_hertz}) {
+    Columns apart(us.size());
+    batch(us, apart.spans());
+    for (int where = 0; where < 3; ++where) {
+      std::vector<double> u = us;
+      Columns out(us.size());
+      batch(u, {where == 0 ? u : out.phi, where == 1 ? u : out.xi, where == 2 ? u : out.eta});
+      CHECK((where == 0 ? u : out.phi) == apart.phi);
+      CHECK((where == 1 ? u : out.xi) == apart.xi);
+      CHECK((where == 2 ? u : out.eta) == apart.eta);
+    }
+  }
+}
+
 TEST_CASE("NaN and negative ratios spoil their own row only", "[law][batch]") {
   const std::vector<double> us{0.5, not_a_number, 2.0, -1.0, 1.0, -inf, 0.25, -smallest, 3.0};
   for (const auto batch : {reduced_uniform, reduced_hertz}) {

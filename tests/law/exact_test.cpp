@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "contensou/law/batch.hpp"
 #include "contensou/law/hertz.hpp"
 #include "contensou/law/power.hpp"
 #include "contensou/law/uniform.hpp"
@@ -120,6 +121,44 @@ TEST_CASE("UniformLaw against interval arithmetic", "[law][exact][reference]") {
 TEST_CASE("HertzLaw against interval arithmetic", "[law][exact][reference]") {
   check_ulps(HertzLaw{}, "laws/hertz.tsv");
   check_ulps(HertzLaw{}, "accuracy/hertz.tsv");
+}
+
+TEST_CASE("The worst arguments that a random search has found", "[law][exact]") {
+  // 2e5 arguments each in [1.32, 1.34], the end of the forms about u = 1, and all others above 3.3 ulp. The
+  // values are ₂F₁ of 1/u² in 60 digits.
+  struct Found {
+    double u;
+    long double phi, xi, eta;
+  };
+  for (const Found& f : {Found{1.3255460278261453, 0.8447718892563364171659968L, 0.9388930257039856542681552L,
+                               0.1581499840104312155087441L},
+                         {1.3294398396239677, 0.8453906189264410975169305L, 0.9392804724959011112543579L,
+                          0.1576356523825836178948132L},
+                         {1.3322049008454597, 0.8458281181636986700751785L, 0.9395532779220531762728457L,
+                          0.1572725972612432428917176L},
+                         {1.3323945773041654, 0.8458580727430075856367757L, 0.9395719214551431682069556L,
+                          0.1572477584871140976466564L}}) {
+    CAPTURE(to_text(f.u));
+    const Reduced scalar = reduced(HertzLaw{}, f.u);
+    CHECK(ulps(scalar.phi, f.phi) <= 4);
+    CHECK(ulps(scalar.xi, f.xi) <= 4);
+    CHECK(ulps(scalar.eta, f.eta) <= 4);
+    Reduced batch{};
+    reduced_hertz({&f.u, 1}, {{&batch.phi, 1}, {&batch.xi, 1}, {&batch.eta, 1}});
+    CHECK(ulps(batch.phi, f.phi) <= 4);
+    CHECK(ulps(batch.xi, f.xi) <= 4);
+    CHECK(ulps(batch.eta, f.eta) <= 4);
+  }
+  for (const Found& f : {Found{1.3307006145351528, 0.8573641267811252230938377L, 0.9232306552514291934206927L,
+                               0.1985914946877483905881459L},
+                         {1.3332544290969635, 0.8577284464851031165265525L, 0.9235543429127273882031426L,
+                          0.1981603504586635795364852L}}) {
+    CAPTURE(to_text(f.u));
+    const Reduced scalar = reduced(UniformLaw{}, f.u);
+    CHECK(ulps(scalar.phi, f.phi) <= 4);
+    CHECK(ulps(scalar.xi, f.xi) <= 4);
+    CHECK(ulps(scalar.eta, f.eta) <= 4);
+  }
 }
 
 TEST_CASE("PowerLaw against interval arithmetic", "[law][exact][reference]") {

@@ -82,12 +82,6 @@ Law uniform_logarithm(const Real& u) {
   return uniform_inner(u, {-k / pi, -(k - e) / pi});
 }
 
-Law hertz_inner(const Real& u) {
-  const Real m = u * u;
-  const Real c = 3 * pi / 128;
-  return {4 * c * u * (4 - m), c * (3 * m * m - 8 * m + 8), 4 * c * (4 - 3 * m)};
-}
-
 Law hertz_outer(const Real& u) {
   const Real m = u * u;
   const Real root = sqrt(m - 1);
@@ -211,30 +205,23 @@ int main() {
     print(name + "_log", what + ": Q(y), factor of y^" + std::to_string(power) + " ln|y|", c, error);
   }
 
-  // Near u = 1, Hertz: outside = the inner polynomial + y^(5/2) Q(y) for ξ and η. For f'' those two would
-  // cancel; there the whole, which is analytic in z = √y, is one polynomial in z.
-  for (const Quantity q : {force, torque}) {
-    const Function power = [](const Real& y) { return Real(y * y * sqrt(y)); };
-    const Function whole = [&](const Real& y) { return pick(hertz_outer(u_of(y)), q); };
-    const Function q_of = [&](const Real& y) {
-      return Real((whole(y) - pick(hertz_inner(u_of(y)), q)) / power(y));
+  // Near u = 1, Hertz, outside: all three are analytic in z = √y. (Inner polynomials + y^(5/2) Q(y) would be
+  // the same with digits lost to cancellation: 5 ulp in η at u = 4/3.)
+  for (const Quantity q : {force, torque, second}) {
+    const Function whole = [&](const Real& z) {
+      const Real u = u_of(z * z);
+      const Law law = hertz_outer(u);
+      return q == second ? Real(law.second * u * u * u) : pick(law, q);
     };
-    const Function scale = [&](const Real& y) { return Real(whole(y) / power(y)); };
     double error = 0;
-    const auto c = fit(q_of, scale, Real(0), near_end, error);
+    const auto c = fit(whole, whole, Real(0), sqrt(near_end), error);
     print(std::string("hertz_near_") + name_of[q],
-          std::string("Hertz just outside u = 1, ") + name_of[q] + ": Q(y), factor of y^5/2", c, error);
+          std::string("Hertz just outside u = 1, ") + name_of[q] + ": powers of √y", c, error);
   }
-  const Function hertz_second = [&](const Real& z) {
-    const Real u = u_of(z * z);
-    return Real(hertz_outer(u).second * u * u * u);
-  };
-  double error = 0;
-  const auto hertz_near_second = fit(hertz_second, hertz_second, Real(0), sqrt(near_end), error);
-  print("hertz_near_second", "Hertz just outside u = 1, second: powers of √y", hertz_near_second, error);
 
   // A start for Newton's iteration in the batch laws, two steps from full accuracy.
   const Function inverse_root = [](const Real& m) { return Real(1 / sqrt(1 + m)); };
+  double error = 0;
   const auto start = fit(inverse_root, inverse_root, Real(0), Real(1), error, 0x1p-15);
   print("inverse_root", "(1 + m)^(-1/2) for 0 <= m <= 1", start, error);
   std::printf("\n}  // namespace contensou::coefficients\n");

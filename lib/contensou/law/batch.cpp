@@ -167,7 +167,7 @@ struct Uniform {
 };
 
 /// Hertz pressure. Inside polynomials in 1 − u²; outside, far from the seam, power series in 1/u², near it
-/// the inner polynomials and a term in y^{5/2}.
+/// polynomials in √y, y = (u − 1)/(u + 1).
 struct Hertz {
   static CONTENSOU_INLINE Mask is_near(Mask inner, Pack x) { return select(inner, Pack{}, x) > seam; }
 
@@ -182,11 +182,8 @@ struct Hertz {
   }
 
   static CONTENSOU_INLINE Forces near(Pack u) {
-    const Pack y = (u - 1) / (u + 1);
-    const Pack mc = (1 - u) * (1 + u);
-    const Pack power = y * y * root(y);
-    return {inner_force(u, mc) + power * polynomial(c::hertz_near_force, y),
-            inner_torque(mc) + power * polynomial(c::hertz_near_torque, y)};
+    const Pack z = root((u - 1) / (u + 1));
+    return {polynomial(c::hertz_near_force, z), polynomial(c::hertz_near_torque, z)};
   }
 
   static constexpr double k = 3 * std::numbers::pi / 128;
@@ -198,26 +195,26 @@ struct Hertz {
 template <class Law>
 CONTENSOU_INLINE void evaluate_block(const BlockPointers& b) {
   std::array<std::uint32_t, block> place;
+  Block close;
   std::size_t found = 0;
   for (std::size_t i = 0; i < block; i += lanes) {
     const Pack u = load_ratio(b.u + i);
     const Mask inner = u <= 1;
     const Pack x = select(inner, u, 1 / u);
     const auto [xi, eta] = Law::far(inner, u, x);
-    store_reduced(b, i, inner, x, xi, eta);
     const Mask near = Law::is_near(inner, x);
     if (any(near)) {
       for (std::size_t lane = 0; lane < lanes; ++lane) {
         place[found] = static_cast<std::uint32_t>(i + lane);
+        close.u[found] = b.u[i + lane];  // now: a result stored over it would be the end of it
         found += near[lane] != 0;
       }
     }
+    store_reduced(b, i, inner, x, xi, eta);
   }
   if (found == 0) return;
 
-  Block close;
-  close.u.fill(1);
-  for (std::size_t j = 0; j < found; ++j) close.u[j] = b.u[place[j]];
+  for (std::size_t j = found; j % lanes != 0; ++j) close.u[j] = 1;
   const BlockPointers at{close.u.data(), close.phi.data(), close.xi.data(), close.eta.data()};
   for (std::size_t i = 0; i < found; i += lanes) {
     const Pack u = load(at.u + i);

@@ -4,7 +4,8 @@
 
 namespace contensou {
 
-/// Where a batch goes: phi, xi, eta as in `Reduced`, each as long as u.
+/// Where a batch goes: phi, xi, eta as in `Reduced`, each as long as u. One of them may be where u is (in
+/// place); they must not overlap otherwise.
 struct ReducedBatch {
   std::span<double> phi;
   std::span<double> xi;

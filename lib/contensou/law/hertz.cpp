@@ -17,8 +17,8 @@ constexpr auto near_seam = interleave(c::hertz_near_force, c::hertz_near_torque)
 
 constexpr double pi_3_128 = 3 * std::numbers::pi / 128;
 
-/// Outside u = 1 the law is the inner polynomial + y^{5/2} Q(y) in y = (u − 1)/(u + 1), and f'' a polynomial
-/// in √y, up to u = 4/3; further out it is a power series in 1/u².
+/// Outside u = 1 the law is analytic in √y with y = (u − 1)/(u + 1), and a polynomial in it up to u = 4/3;
+/// further out it is a power series in 1/u².
 constexpr double seam = 0.75;
 
 /// The inner polynomials in mc = 1 − u², all of whose terms have
@@ -42,12 +42,8 @@ Friction HertzLaw::at(double v, double s) const {
   if (!(v > s && s >= 0)) require_slip(v, s);
   const double w = s / v;
   if (w > seam) {
-    const double gap = (v - s) / v;
-    const double u = v / s;
-    const double mc = -gap * (1 + w) * (u * u);
-    const double y = gap / (1 + w);
-    const Lanes beyond = y * y * std::sqrt(y) * evaluate(near_seam, y);
-    return {force_over_u(mc) * u + beyond[0], torque(mc) + beyond[1]};
+    const Lanes form = evaluate(near_seam, std::sqrt(seam_distance(v, s)));
+    return {form[0], form[1]};
   }
   const Lanes form = evaluate(outer_far, w * w);
   return {form[0], form[1] * w};

@@ -33,18 +33,19 @@ inline Lanes horner(const std::array<std::array<double, 2>, N>& c, double t) {
 
 }  // namespace detail
 
-/// Σ c_k t^k for both lanes. Four interleaved chains keep the latency down; the lowest power is added last,
-/// so that where it dominates the result is good to little more than half an ulp.
+/// Σ c_k t^k for both lanes. Four interleaved chains keep the latency down; the two lowest powers are added
+/// last, so that where they dominate the result is good to little more than half an ulp.
 template <std::size_t N>
 inline Lanes evaluate(const std::array<std::array<double, 2>, N>& c, double t) {
   static_assert(N >= 8);
   const double t2 = t * t;
   const double t4 = t2 * t2;
-  const Lanes p1 = detail::horner<1, 4>(c, t4);
   const Lanes p2 = detail::horner<2, 4>(c, t4);
   const Lanes p3 = detail::horner<3, 4>(c, t4);
   const Lanes p4 = detail::horner<4, 4>(c, t4);
-  return Lanes{c[0][0], c[0][1]} + t * ((p1 + t * p2) + t2 * (p3 + t * p4));
+  const Lanes p5 = detail::horner<5, 4>(c, t4);
+  const Lanes rest = t2 * ((p2 + t * p3) + t2 * (p4 + t * p5));
+  return Lanes{c[0][0], c[0][1]} + (t * Lanes{c[1][0], c[1][1]} + rest);
 }
 
 /// Σ c_k t^k, by Horner's rule.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <stdexcept>
 
 #include "contensou/law/friction_law.hpp"
@@ -34,6 +35,13 @@ struct SlipRatio {
 inline SlipRatio slip_ratio(double smaller, double larger) {
   if (std::isinf(larger)) return {0, 1};
   return {smaller / larger, (larger - smaller) / larger};
+}
+
+/// (v − s)/(v + s) for finite v and s, what the laws are expanded in about u = 1; for v and s of like size
+/// two roundings.
+inline double seam_distance(double v, double s) {
+  const double sum = v + s;
+  return std::isinf(sum) ? (v / 2 - s / 2) / (v / 2 + s / 2) : (v - s) / sum;
 }
 
 /// ξ, η from a law's bounded forms (functions of SlipRatio; anything with members force and torque).

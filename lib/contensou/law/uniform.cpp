@@ -38,13 +38,13 @@ Friction UniformLaw::at(double v, double s) const {
   if (v <= s) {
     if (!(v >= 0 && s > 0 && (v < s || std::isfinite(s)))) require_slip(v, s);
     const double u = std::isinf(s) ? 0 : v / s;
-    if (u > seam) return at_seam((v - s) / s / (1 + u));
+    if (u > seam) return at_seam(seam_distance(v, s));
     const Lanes form = evaluate(inner_far, u * u);
     return {form[0] * u, form[1]};
   }
   if (!(v > s && s >= 0)) require_slip(v, s);
   const double w = s / v;
-  if (w > seam) return at_seam((v - s) / v / (1 + w));
+  if (w > seam) return at_seam(seam_distance(v, s));
   const Lanes form = evaluate(outer_far, w * w);
   return {form[0], form[1] * w};
 }
