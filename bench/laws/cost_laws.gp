@@ -46,7 +46,7 @@ array right_text = ['1-D form, adaptive', '1-D form, Gauss: 2, 4, 8, … 64 poin
 array right_y = [0.3, 0.4, 0.8, 0, 0.4, 0, 0.4, 0.4, 0, 0, -0.7]
 
 array left = ['quadrature_2d', 'tolerance 0.01', 'decoupled', 'same semi-axes', 'pade', 'order 2', \
-  'printed_series', '(2.8), (2.13), (2.14)', 'printed', '(3.14), (3.17), (3.18)', 'compiled', 'tolerance 1e-08', 'exact', 'batch']
+  'printed_series', '(2.8), (2.13), (2.14)', 'printed', '(3.14), (3.17), (3.18)', 'compiled', 'tolerance 0.01', 'exact', 'batch']
 array left_text = ['2-D quadrature of (2.1)', 'disk × interval', 'Padé', 'series as printed', 'as printed', 'compiled', \
   'in batches']
 
