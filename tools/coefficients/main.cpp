@@ -155,7 +155,7 @@ int main() {
   const auto u_of = [](const Real& y) { return Real((1 + y) / (1 - y)); };
 
   // Far from u = 1: g(x²) = g(0) + x² p(x²) for the bounded forms; p is fitted, so that g(0) is met exactly.
-  const auto far = [&](const std::string& law, const char* side,
+  const auto far = [&](const std::string& law, const std::string& side,
                        const std::function<Real(const Real&, Quantity)>& g, Quantity q, const Real& at_zero) {
     double error = 0;
     const Function whole = [&](const Real& m) { return g(sqrt(m), q); };
@@ -163,7 +163,7 @@ int main() {
     const Function scale = [&](const Real& m) { return Real(whole(m) / m); };
     std::vector<Real> c = fit(part, scale, Real(0), far_end, error);
     c.insert(c.begin(), at_zero);
-    print(law + "_" + side + "_" + name_of[q],
+    print(law + (side == "either side" ? "" : "_" + side) + "_" + name_of[q],
           law + " " + side + ", " + name_of[q] + ": powers of x², x <= 3/4", c, error);
   };
   const auto uniform_in = [](const Real& u, Quantity q) {
@@ -180,9 +180,10 @@ int main() {
   const Real inner_zero[] = {Real(1), Real(2) / 3, Real(1)};
   const Real uniform_outer_zero[] = {Real(1), Real(1) / 4, Real(1) / 4};
   const Real hertz_outer_zero[] = {Real(1), Real(1) / 5, Real(1) / 5};
-  for (const Quantity q : {force, torque, second}) far("uniform", "inner", uniform_in, q, inner_zero[q]);
-  for (const Quantity q : {force, torque, second})
-    far("uniform", "outer", uniform_out, q, uniform_outer_zero[q]);
+  // ξ/u inside is the same function of u² as ξ outside of 1/u²: 4/(3π) (2B + m_c D).
+  far("uniform", "either side", uniform_in, force, inner_zero[force]);
+  for (const Quantity q : {torque, second}) far("uniform", "inner", uniform_in, q, inner_zero[q]);
+  for (const Quantity q : {torque, second}) far("uniform", "outer", uniform_out, q, uniform_outer_zero[q]);
   for (const Quantity q : {force, torque, second}) far("hertz", "outer", hertz_out, q, hertz_outer_zero[q]);
 
   // Near u = 1, uniform: ξ, η = P(y) + y² ln|y| Q(y), f'' = P(y) + y ln|y| Q(y), with the same P, Q on both

@@ -151,7 +151,7 @@ struct Uniform {
 
   static CONTENSOU_INLINE Forces far(Mask inner, Pack /*u*/, Pack x) {
     const Pack m = x * x;
-    const Pack force = polynomial(c::uniform_outer_force, m);
+    const Pack force = polynomial(c::uniform_force, m);
     const Pack torque = polynomial(c::uniform_outer_torque, m);
     return {select(inner, x * force, force),
             select(inner, 2.0 / 3 * (1 - m) * force + m * torque, x * torque)};

@@ -7,8 +7,8 @@
 
 namespace contensou::coefficients {
 
-/// uniform inner, force: powers of x², x <= 3/4; relative error 6.8e-18.
-inline constexpr std::array<double, 19> uniform_inner_force{
+/// uniform either side, force: powers of x², x <= 3/4; relative error 6.8e-18.
+inline constexpr std::array<double, 19> uniform_force{
     1,
     -0.125,
     -0.015625000000006582,
@@ -76,28 +76,6 @@ inline constexpr std::array<double, 22> uniform_inner_second{
     -8.8375809195200929,
     3.8769769300568635,
     -0.80163598376640521,
-};
-/// uniform outer, force: powers of x², x <= 3/4; relative error 6.8e-18.
-inline constexpr std::array<double, 19> uniform_outer_force{
-    1,
-    -0.125,
-    -0.015625000000006582,
-    -0.0048828124987448608,
-    -0.0021362305632787065,
-    -0.0011215172545810835,
-    -0.00066098606541460268,
-    -0.00042049195230851806,
-    -0.00030127678701735044,
-    -7.878814383460657e-05,
-    -0.00086896800541280477,
-    0.0030221520126172776,
-    -0.01031278324497812,
-    0.024862235032757578,
-    -0.044872597705798302,
-    0.057745435804203472,
-    -0.050786596549744496,
-    0.027318108959935163,
-    -0.006945118694344196,
 };
 /// uniform outer, torque: powers of x², x <= 3/4; relative error 3.9e-18.
 inline constexpr std::array<double, 20> uniform_outer_torque{

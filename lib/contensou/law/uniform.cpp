@@ -11,8 +11,8 @@ namespace {
 
 namespace c = coefficients;
 
-constexpr auto inner_far = interleave(c::uniform_inner_force, c::uniform_inner_torque);
-constexpr auto outer_far = interleave(c::uniform_outer_force, c::uniform_outer_torque);
+constexpr auto inner_far = interleave(c::uniform_force, c::uniform_inner_torque);
+constexpr auto outer_far = interleave(c::uniform_force, c::uniform_outer_torque);
 constexpr auto near_seam = interleave(c::uniform_near_force, c::uniform_near_torque);
 constexpr auto near_seam_log = interleave(c::uniform_near_force_log, c::uniform_near_torque_log);
 
