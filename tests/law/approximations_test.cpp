@@ -190,6 +190,31 @@ TEST_CASE("TanhLaw is the gradient of its potential", "[law][approximations]") {
   }
 }
 
+TEST_CASE("Approximations stay finite at the edges of the doubles", "[law][approximations]") {
+  // Semi-axes far apart: ξ = a² u/b for u << b/a, where a (a/b) = 1e300.
+  CHECK(EllipsoidLaw({1e150, 1.0}).at(1e-170, 1.0).xi == about(1e130));
+  CHECK(EllipsoidLaw({1e150, 1e-8}).curvature(0.0, 1e100).vv == about(1e208));
+  CHECK_THROWS_AS(EllipsoidLaw({1e200, 1e-200}), std::invalid_argument);
+  CHECK_THROWS_AS(EllipsoidLaw({1e-200, 1e200}), std::invalid_argument);
+  // 1/slope and 1/slope² as doubles.
+  for (const int order : {1, 2}) {
+    CHECK_THROWS_AS(PadeLaw(order, 1, 1e-310, 1), std::invalid_argument);
+    CHECK_THROWS_AS(PadeLaw(order, 1, 1, 1e-310), std::invalid_argument);
+    CHECK_THROWS_AS(PadeLaw(order, 1e-310, 1, 1), std::invalid_argument);
+    const PadeLaw law(order, 0.6, 1.2, 0.2);
+    for (const double x : {smallest, 1e-310}) {
+      CHECK(law.curvature(0.0, x).vv == inf);
+      CHECK(law.curvature(0.0, x).vs == 0);
+      CHECK(law.curvature(x, 0.0).ss == inf);
+      CHECK(law.curvature(x, 0.0).vs == 0);
+    }
+  }
+  // v²/(2ε) and 4 e^{−2z}/ε where sinh²(z/2) and 1/cosh² z alone underflow.
+  CHECK(TanhLaw({1.0, 0.6}, 1e300).potential(1e10, 0.0) == about(0.5e-280));
+  CHECK(TanhLaw({1.0, 0.6}, 0x1p-1000).curvature(370 * 0x1p-1000, 0.0).vv ==
+        Approx(4 * std::exp(-740 + 1000 * std::numbers::ln2)).epsilon(1e-12));
+}
+
 TEST_CASE("Approximations refuse what they cannot use", "[law][approximations]") {
   for (const double bad : {0.0, -1.0, not_a_number, inf}) {
     CAPTURE(bad);

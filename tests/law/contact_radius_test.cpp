@@ -46,6 +46,20 @@ TEST_CASE("Relative radius of two balls, and of a ball in a hollow", "[law][cont
   CHECK(relative_radius(body(inf), body(5)) == 5);
 }
 
+TEST_CASE("Contact radius where products of radius, load and compliance are no doubles",
+          "[law][contact_radius]") {
+  const auto both = [](double r, double e) { return ElasticBody{r, e, 0}; };
+  // ρ* = r/2, E* = E/2: R³ = (3/4) r λ/E.
+  const auto radius = [&](double r, double e, double force) {
+    return hertz_contact_radius(both(r, e), both(r, e), force);
+  };
+  CHECK(radius(1e-310, 1e-309, 0) == 0);
+  CHECK(radius(1e300, 1e-300, 1e300) == Approx(std::cbrt(0.75) * 1e300).epsilon(1e-15));
+  CHECK(radius(1e-300, 1e300, 1e-300) == Approx(std::cbrt(0.75) * 1e-300).epsilon(1e-15));
+  CHECK(radius(1e-300, 1e-300, 1e-300) == Approx(std::cbrt(0.75) * 1e-100).epsilon(1e-15));
+  CHECK(relative_radius(both(3 * smallest, 1), both(6 * smallest, 1)) == 2 * smallest);
+}
+
 TEST_CASE("Contact radius refuses what is no contact", "[law][contact_radius]") {
   const ElasticBody good{.radius = 1, .modulus = 1e9, .poisson = 0.3};
   const auto radius = [&](double r) { return ElasticBody{r, 1e9, 0.3}; };

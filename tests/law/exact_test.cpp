@@ -309,6 +309,24 @@ TEST_CASE("Linear at both ends, down to the last subnormal", "[law][exact]") {
   }
 }
 
+TEST_CASE("Second derivatives that are normal numbers though u or u² is none", "[law][exact]") {
+  for (const Known& law : laws()) {
+    CAPTURE(law.name);
+    const double accuracy = std::max(1e-15, 1e3 * law.accuracy);
+    const auto about = [&](double x) { return Approx(x).epsilon(accuracy).margin(0); };
+    // u = 2^-590: u² f''/s = f''(0) 2^-900, and the same outside.
+    CHECK(law.curvature(0x1p-870, 0x1p-280).ss == about(law.slope * 0x1p-900));
+    CHECK(law.curvature(0x1p-280, 0x1p-870).vv == about(law.tail * 0x1p-900));
+    // u = 2^-1040/3: v f''/s² = f''(0) 2^-1010/9.
+    CHECK(law.curvature(0x1p-1070, 3 * 0x1p-30).vs == about(-law.slope * 0x1p-1010 / 9));
+    CHECK(law.curvature(3 * 0x1p-30, 0x1p-1070).vs == about(-law.tail * 0x1p-1010 / 9));
+    // s so small that f''/s overflows, and u s = v does not.
+    CHECK(law.curvature(0, smallest).vv == inf);
+    CHECK(law.curvature(0, smallest).vs == 0);
+    CHECK(law.curvature(0, smallest).ss == 0);
+  }
+}
+
 TEST_CASE("The law depends on v/s only, to the bit", "[law][exact]") {
   for (const Known& law : laws()) {
     for (const double u : {0x1.8p-20, 0.5, 0.75, 1.25, 3.0, 0x1.4p20}) {

@@ -181,6 +181,16 @@ TEST_CASE("Series laws refuse what they cannot use", "[law][series]") {
   CHECK_THROWS_AS(SeriesLaw(0, 0), std::invalid_argument);
   CHECK_THROWS_AS(SeriesLaw(0, 1001), std::invalid_argument);
   CHECK_NOTHROW(SeriesLaw(0, 1000));
+  // Coefficients that are no doubles, and whose sums would be NaN.
+  CHECK_NOTHROW(SeriesLaw(1000, 400));
+  CHECK_THROWS_WITH(SeriesLaw(1e6, 100), Catch::Contains("at most"));
+  CHECK_THROWS_AS(SeriesLaw(1e300, 4), std::invalid_argument);
+  const SeriesLaw longest(1e6, 65);
+  for (const double u : {0.0, 1e-3, 1.0}) {
+    CHECK(std::isfinite(longest.at(u, 1.0).xi));
+    CHECK(std::isfinite(longest.at(u, 1.0).eta));
+    CHECK(std::isfinite(longest.curvature(u, 1.0).vv));
+  }
   const auto refuses = [&](const auto& law) {
     CHECK_THROWS_AS(law.at(0.0, 0.0), std::domain_error);
     CHECK_THROWS_AS(law.at(not_a_number, 1.0), std::domain_error);

@@ -1,5 +1,6 @@
 #include "contensou/law/approximations.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -29,7 +30,14 @@ Extent positive(Extent axes) {
 
 // ---------------------------------------------------------------------------------------------- ellipsoid
 
-EllipsoidLaw::EllipsoidLaw(Extent semi_axes) : axes_(positive(semi_axes)) {}
+EllipsoidLaw::EllipsoidLaw(Extent semi_axes) : axes_(positive(semi_axes)) {
+  const double a = axes_.xi;
+  const double b = axes_.eta;
+  if (std::isinf(a * (a / b)) || std::isinf(b * (b / a))) {
+    throw std::invalid_argument("semi-axes " + to_text(a) + " and " + to_text(b) +
+                                ": so different that the curvature of the ellipsoid is no double");
+  }
+}
 
 Friction EllipsoidLaw::at(double v, double s) const {
   const double a = axes_.xi;
@@ -44,10 +52,13 @@ Friction EllipsoidLaw::at(double v, double s) const {
 Curvature EllipsoidLaw::curvature(double v, double s) const {
   const double a = axes_.xi;
   const double b = axes_.eta;
-  const auto second = [=](double h) { return (a / h) * (a / h) * (b / h) * b; };
+  // a²b²/h³, where other/h <= 1.
+  const auto second = [](double axis, double other, double h) {
+    return axis * (axis / h) * (other / h) * (other / h);
+  };
   return curvature_from(
-      v, s, [&](SlipRatio u) { return second(std::hypot(a * u.x, b)); },
-      [&](SlipRatio w) { return second(std::hypot(a, b * w.x)); });
+      v, s, [&](SlipRatio u) { return second(a, b, std::hypot(a * u.x, b)); },
+      [&](SlipRatio w) { return second(b, a, std::hypot(a, b * w.x)); });
 }
 
 // ------------------------------------------------------------------------------------- disk × interval
@@ -78,6 +89,14 @@ PadeLaw::PadeLaw(int order, double eta_max, double slope, double tail)
   } else {
     throw std::invalid_argument("Pade order " + std::to_string(order) + ": expected 1 or 2");
   }
+  // So that no product of the few below leaves the range of doubles.
+  constexpr double largest = 1e70;
+  for (const double x : {eta_max_, a_, b_, order == 2 ? c_ : 1.0}) {
+    if (!(x >= 1 / largest && x <= largest)) {
+      throw std::invalid_argument("Pade with eta_max " + to_text(eta_max) + ", slope " + to_text(slope) +
+                                  ", tail " + to_text(tail) + ": expected a, b, c between 1e-70 and 1e70");
+    }
+  }
 }
 
 Friction PadeLaw::at(double v, double s) const {
@@ -101,30 +120,31 @@ Curvature PadeLaw::curvature(double v, double s) const {
   require_slip(v, s);
   double vv = 0;
   double ss = 0;
+  const double scale = std::max(v, s);
   if (v <= s) {
-    const double u = v / s;
+    const double u = slip_ratio(v, s).x;
     if (order_ == 1) {
-      vv = a_ / ((u + a_) * (u + a_)) / s;
-      ss = eta_max_ * b_ * u / ((1 + b_ * u) * (1 + b_ * u)) / s;
+      vv = a_ / ((u + a_) * (u + a_));
+      ss = eta_max_ * b_ * u / ((1 + b_ * u) * (1 + b_ * u));
     } else {
       const double q = u * u + a_ * u + a_ * a_;
       const double p = 1 + b_ * u + c_ * u * u;
-      vv = a_ * a_ * (2 * u + a_) / (q * q) / s;
-      ss = eta_max_ * c_ * u * u * (2 + b_ * u) / (p * p) / s;
+      vv = a_ * a_ * (2 * u + a_) / (q * q);
+      ss = eta_max_ * c_ * u * u * (2 + b_ * u) / (p * p);
     }
   } else {
-    const double w = s / v;
+    const double w = slip_ratio(s, v).x;
     if (order_ == 1) {
-      vv = a_ * w / ((1 + a_ * w) * (1 + a_ * w)) / v;
-      ss = eta_max_ * b_ / ((w + b_) * (w + b_)) / v;
+      vv = a_ * w / ((1 + a_ * w) * (1 + a_ * w));
+      ss = eta_max_ * b_ / ((w + b_) * (w + b_));
     } else {
       const double q = 1 + a_ * w + a_ * w * (a_ * w);
       const double p = w * w + b_ * w + c_;
-      vv = a_ * a_ * (2 + a_ * w) * (w * w) / (q * q) / v;
-      ss = eta_max_ * c_ * (2 * w + b_) / (p * p) / v;
+      vv = a_ * a_ * (2 + a_ * w) * (w * w) / (q * q);
+      ss = eta_max_ * c_ * (2 * w + b_) / (p * p);
     }
   }
-  return {vv, -std::sqrt(vv) * std::sqrt(ss), ss};
+  return {vv / scale, -(std::sqrt(vv) * std::sqrt(ss)) / scale, ss / scale};
 }
 
 // ---------------------------------------------------------------------------------------------- tanh
@@ -138,15 +158,17 @@ void require_speeds(double v, double s) {
 /// ε log cosh(x/ε), the smoothed |x|.
 double smoothed(double x, double epsilon) {
   const double z = x / epsilon;
+  if (z < 1e-9) return x / 2 * z;  // the next term is relative z²/6
   // cosh z = 1 + 2 sinh²(z/2), without cancellation for small
   // z; past z = 20, e^{-2z} is below half an ulp of z − log 2.
   if (z < 20) return epsilon * std::log1p(2 * std::sinh(z / 2) * std::sinh(z / 2));
   return x - epsilon * std::numbers::ln2;
 }
 
-double sech2(double z) {
-  const double sech = 1 / std::cosh(z);
-  return sech * sech;
+/// axis/(ε cosh² z) with z = x/ε; the small factors apart, or they would underflow before ε is divided by.
+double slope_of_tanh(double axis, double x, double epsilon) {
+  const double sech = 1 / std::cosh(x / epsilon);
+  return sech * (axis * sech / epsilon);
 }
 
 }  // namespace
@@ -161,7 +183,7 @@ Friction TanhLaw::at(double v, double s) const {
 
 Curvature TanhLaw::curvature(double v, double s) const {
   require_speeds(v, s);
-  return {axes_.xi * sech2(v / epsilon_) / epsilon_, 0.0, axes_.eta * sech2(s / epsilon_) / epsilon_};
+  return {slope_of_tanh(axes_.xi, v, epsilon_), 0.0, slope_of_tanh(axes_.eta, s, epsilon_)};
 }
 
 double TanhLaw::potential(double v, double s) const {

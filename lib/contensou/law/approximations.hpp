@@ -8,7 +8,8 @@ namespace contensou {
 /// Φ = μλ_N √(ξ_max² v² + η_max² s²). Evaluated to a few ulp for every pair of doubles.
 class EllipsoidLaw {
  public:
-  /// Semi-axes in (0, ∞); throws std::invalid_argument otherwise.
+  /// Semi-axes in (0, ∞), the square of each over the other still finite; throws std::invalid_argument
+  /// otherwise.
   explicit EllipsoidLaw(Extent semi_axes);
   /// Throw std::domain_error as every law does (friction_law.hpp).
   Friction at(double v, double s) const;
@@ -51,7 +52,8 @@ class DecoupledLaw {
 class PadeLaw {
  public:
   /// `slope` = f''(0), `tail` = lim u η for u → ∞ (1/(2(2+n)) for σ ∝ (1−ρ²/R²)ⁿ), see PowerLimits; all of
-  /// eta_max, slope, tail in (0, ∞); order 1 or 2. Throws std::invalid_argument for anything else.
+  /// eta_max, slope, tail in (0, ∞), eta_max, a, b, c in [1e-70, 1e70]; order 1 or 2. Throws
+  /// std::invalid_argument for anything else.
   PadeLaw(int order, double eta_max, double slope, double tail);
   /// Throw std::domain_error as every law does (friction_law.hpp).
   Friction at(double v, double s) const;
@@ -68,7 +70,8 @@ class PadeLaw {
 
 /// tanh regularisation: ξ = ξ_max tanh(v/ε), η = η_max tanh(s/ε), with a
 /// velocity scale ε [m/s]. Smooth, single-valued everywhere (zero at rest:
-/// nothing ever sticks), blind to the coupling. Evaluated to a few ulp.
+/// nothing ever sticks), blind to the coupling. Evaluated to a few ulp; the
+/// curvature, which falls like e^{−2z} with z = v/ε or s/ε, to a few and 2z.
 class TanhLaw {
  public:
   /// Semi-axes and ε in (0, ∞); throws std::invalid_argument otherwise.

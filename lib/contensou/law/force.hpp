@@ -32,9 +32,10 @@ using FrictionResponse = std::variant<FrictionForce, FrictionSet>;
 /// `static constexpr bool smooth_at_rest = true`) gives the force zero there.
 ///
 /// No overflow or underflow on the way, whatever the size of γ_F, μ and λ_N: a few ulp
-/// beside the error of the law wherever ξ, η and the result are normal numbers; a result
-/// beyond the range of doubles is infinite. γ_F → 2^k γ_F leaves the force of a law
-/// without a scale of its own unchanged to the bit, λ_N → 2^k λ_N multiplies it by 2^k.
+/// beside the error of the law wherever ξ, η, the components of γ_T/‖γ_T‖ and the
+/// result are normal numbers; a result beyond the range of doubles is infinite.
+/// γ_F → 2^k γ_F leaves the force of a law without a scale of its own unchanged to
+/// the bit, λ_N → 2^k λ_N multiplies it by 2^k.
 ///
 /// Throws std::invalid_argument for a negative or non-finite
 /// μ or λ_N, std::domain_error for a NaN or infinite γ_F.

@@ -7,6 +7,7 @@
 
 #include "contensou/law/power_limits.hpp"
 #include "contensou/law/slip_ratio.hpp"
+#include "contensou/text/number.hpp"
 
 namespace contensou {
 namespace {
@@ -28,6 +29,8 @@ constexpr auto second = [](double m) { return m * (m - 1); };  // of the second 
 }  // namespace
 
 SeriesLaw::SeriesLaw(double n, int terms) {
+  // No sum of 1000 such coefficients times 4e6, the largest factor of a second derivative, overflows.
+  constexpr double largest_coefficient = 1e290;
   const double eta_max = power_limits(n).eta_max;  // refuses a bad n
   if (terms < 1 || terms > most_terms) {
     throw std::invalid_argument("series of " + std::to_string(terms) + " terms: expected 1 to " +
@@ -39,6 +42,11 @@ SeriesLaw::SeriesLaw(double n, int terms) {
     const double k = i;
     inner_.push_back(inner_.back() * (k - 0.5) * (k - 1.5 - n) / ((k + 1) * (k + 1)));
     outer_.push_back(outer_.back() * (k - 0.5) * (k - 0.5) / ((k + 2 + n) * (k + 1)));
+    if (!(std::abs(inner_.back()) <= largest_coefficient)) {
+      throw std::invalid_argument("series of " + std::to_string(terms) + " terms for n = " + to_text(n) +
+                                  ": the coefficients exceed 1e290, expected at most " +
+                                  std::to_string(i + 1) + " terms");
+    }
   }
 }
 

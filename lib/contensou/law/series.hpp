@@ -21,7 +21,8 @@ namespace contensou {
 class SeriesLaw {
  public:
   static constexpr int most_terms = 1000;
-  /// Finite n > -1, 1 <= terms <= most_terms; throws std::invalid_argument otherwise.
+  /// Finite n > -1, 1 <= terms <= most_terms; throws std::invalid_argument otherwise, and where a coefficient
+  /// would exceed 1e290 (n in the thousands and beyond, many terms).
   SeriesLaw(double n, int terms);
 
   /// Throw std::domain_error as every law does (friction_law.hpp).

@@ -58,19 +58,39 @@ Friction friction_from(double v, double s, const Inner& inner, const Outer& oute
   return {form.force, form.torque * w.x};
 }
 
-/// Second derivatives of s f(v/s) from f''(u) inside and u³
-/// f''(u) outside; no intermediate overflows before the result.
+/// The second derivatives of a homogeneous law along the larger speed and across, from those along the
+/// smaller one (`second`/larger): no step overflows or underflows before the result does.
+struct SmallMixedLarge {
+  double small;
+  double mixed;
+  double large;
+};
+
+inline SmallMixedLarge second_derivatives(double x, double smaller, double larger, double second) {
+  // Where x² would leave the normal range, larger > 2^-1074/2^-500: then the quotient is far from overflow.
+  // And where x itself is about to, so is the quotient by larger².
+  constexpr double square_is_subnormal = 0x1p-500;
+  constexpr double almost_subnormal = 0x1p-900;
+  const double along = second / larger;
+  if (x >= square_is_subnormal || smaller == 0 || std::isinf(larger)) {
+    return {along, -(x * second) / larger, (x * x * second) / larger};
+  }
+  const double mixed = x >= almost_subnormal ? (x * second) / larger : smaller * (along / larger);
+  return {along, -mixed, x * mixed};
+}
+
+/// Second derivatives of s f(v/s) from f''(u) inside and u³ f''(u) outside.
 template <class Inner, class Outer>
 Curvature curvature_from(double v, double s, const Inner& second_inner, const Outer& second_outer) {
   require_slip(v, s);
   if (v <= s) {
     const SlipRatio u = slip_ratio(v, s);
-    const double f2 = second_inner(u);
-    return {f2 / s, -(u.x * f2) / s, (u.x * u.x * f2) / s};
+    const auto [vv, vs, ss] = second_derivatives(u.x, v, s, second_inner(u));
+    return {vv, vs, ss};
   }
   const SlipRatio w = slip_ratio(s, v);
-  const double g = second_outer(w);
-  return {(w.x * w.x * g) / v, -(w.x * g) / v, g / v};
+  const auto [ss, vs, vv] = second_derivatives(w.x, s, v, second_outer(w));
+  return {vv, vs, ss};
 }
 
 }  // namespace contensou
