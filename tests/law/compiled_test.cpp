@@ -51,14 +51,33 @@ TEST_CASE("A kink that is declared costs little", "[law][compiled]") {
   const auto straight = [](SlipRatio u) { return BoundedForm{1, 1 + u.x, 1}; };
   const auto kinked = [](SlipRatio u) { return BoundedForm{1, 1 + std::abs(u.x - 0.3), 1}; };
   const auto flat = [](SlipRatio) { return BoundedForm{1, 1.7, 1}; };
-  const CompiledLaw declared(kinked, flat, {1, 1.3}, 1e-12, {0.3});
-  const CompiledLaw undeclared(kinked, flat, {1, 1.3}, 1e-12);
-  CHECK(declared.pieces() == CompiledLaw(straight, flat, {1, 1}, 1e-12).pieces() + 1);
+  const CompiledLaw declared(kinked, flat, {1, 1.7}, 1e-12, {0.3});
+  const CompiledLaw undeclared(kinked, flat, {1, 1.7}, 1e-12);
+  CHECK(declared.pieces() == CompiledLaw(straight, flat, {1, 2}, 1e-12).pieces() + 1);
   CHECK(undeclared.pieces() > declared.pieces());
   for (double u = 0.01; u < 1; u += 0.0171) {
     CHECK(declared.at(u, 1).eta == Approx(1 + std::abs(u - 0.3)).epsilon(1e-12));
     CHECK(undeclared.at(u, 1).eta == Approx(1 + std::abs(u - 0.3)).epsilon(1e-12));
   }
+}
+
+TEST_CASE("Laws that are noise or no numbers are refused, and soon", "[law][compiled]") {
+  int calls = 0;
+  const auto noisy = [&](SlipRatio u) {
+    ++calls;
+    return BoundedForm{1 + 1e-9 * std::sin(1e15 * u.x), 1, 1};
+  };
+  CHECK_THROWS_AS(CompiledLaw(noisy, outer, {a, b}, 1e-12), std::runtime_error);
+  CHECK(calls < 100000);
+  const auto gap = [](SlipRatio u) { return BoundedForm{1, u.x > 0.2 && u.x < 0.3 ? not_a_number : 1, 1}; };
+  CHECK_THROWS_AS(CompiledLaw(gap, outer, {a, b}, 1e-3), std::runtime_error);
+}
+
+TEST_CASE("No compiled law leaves its extent", "[law][compiled]") {
+  const auto rounded_up = [](SlipRatio) { return BoundedForm{a * (1 + 1e-15), b * (1 + 1e-15), 1}; };
+  const CompiledLaw law(rounded_up, rounded_up, {a, b}, 1e-12);
+  CHECK(law.at(1, 0).xi == a);
+  CHECK(law.at(0, 1).eta == b);
 }
 
 TEST_CASE("Tolerances out of reach are refused", "[law][compiled]") {

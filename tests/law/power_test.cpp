@@ -54,6 +54,18 @@ TEST_CASE("At u = 1 the hypergeometric series have Gauss's sums", "[law][power]"
   }
 }
 
+TEST_CASE("A power law stays within its semi-axes", "[law][power]") {
+  for (const double n : {-0.9999999, -0.9999, 0.5, 3.0, 17.0, 999.5, 999999.9}) {
+    const PowerLaw law(n);
+    for (const double small : {0.0, smallest, 1e-300, 1e-18, 1e-12, 1e-10, 1e-8}) {
+      CAPTURE(n, small);
+      CHECK(law.at(1, small).xi <= 1);
+      CHECK(law.at(small, 1).eta <= law.extent().eta);
+      CHECK(reduced(law, 1 / small).phi <= 1);
+    }
+  }
+}
+
 TEST_CASE("Exponents that are none are refused", "[law][power]") {
   for (const double n : {-1.0, -3.0, not_a_number, inf, 1.1e6}) {
     CHECK_THROWS_AS(PowerQuadrature(n), std::invalid_argument);

@@ -90,6 +90,23 @@ TEST_CASE("A pressure from a table", "[law][radial]") {
         Approx(1.5e-12).epsilon(1e-11));  // the next term is u |ln u| relative for a cone
 }
 
+TEST_CASE("Pressures and ratios near the ends of the doubles", "[law][radial]") {
+  const Friction exact = UniformLaw{}.at(0.5, 1.0);
+  for (const double sigma : {smallest, 1e-310, 1e-200, 1e200, 1e308, largest}) {
+    CAPTURE(sigma);
+    const RadialLaw law(tabulated_pressure({0, 1}, {sigma, sigma}));
+    CHECK(law.at(0.5, 1.0).xi == Approx(exact.xi).epsilon(stated));
+    CHECK(law.at(0.5, 1.0).eta == Approx(exact.eta).epsilon(stated));
+  }
+  const RadialLaw cone(tabulated_pressure({0, 1}, {1, 0}));
+  for (const double u : {smallest, 1e-310, 1e-300}) {
+    CAPTURE(u);
+    CHECK(std::abs(cone.at(u, 1).xi - 1.5 * u) <= 1e-13 * u + smallest);
+    CHECK(cone.at(u, 1).eta == Approx(0.5).epsilon(stated));
+    CHECK(cone.curvature(u, 1).vv == Approx(1.5).epsilon(1e-10));
+  }
+}
+
 TEST_CASE("Compiled on request, within the bound it states", "[law][radial]") {
   const RadialLaw radial({[](double rho) { return 1 + rho; }, {}});
   const CompiledLaw compiled = radial.compile(1e-9);

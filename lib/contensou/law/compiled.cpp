@@ -19,8 +19,10 @@ constexpr double safety = 2;
 // The smallest gap of two different doubles is 2^-53: the piece at a kink (u = 1 always is one) ends below
 // it.
 constexpr double narrowest = 0x1p-54;
-// One kink takes some 2·54 pieces; more than this and the law is noise at the tolerance asked for.
-constexpr std::size_t most_pieces = 20000;
+// One kink takes some 2·54 pieces. With more than this for each that is known, and
+// some for others, the law is noise at the tolerance asked for; found out in seconds.
+constexpr std::size_t pieces_a_break = 120;
+constexpr std::size_t spare_pieces = 400;
 
 double evaluate(std::span<const double> coefficients, double t) {
   double value = 0;
@@ -94,13 +96,21 @@ CompiledLaw::Side CompiledLaw::compile_side(const Form& form, const std::vector<
 CompiledLaw::Half CompiledLaw::compile(const std::function<BoundedForm(double)>& form,
                                        std::vector<double> breaks, double tolerance) {
   std::sort(breaks.begin(), breaks.end());
+  const std::size_t most_pieces = spare_pieces + pieces_a_break * breaks.size();
+  const auto numbers_at = [&](double position) {
+    const std::array<double, 3> values = as_array(form(position));
+    for (const double value : values) {
+      if (!std::isfinite(value)) throw std::runtime_error("compiled law: the law gives " + to_text(value));
+    }
+    return values;
+  };
   Half half;
   const auto add = [&](auto& self, double a, double b) -> void {
     Piece piece{(a + b) / 2, 2 / (b - a), {}};
     std::array<std::array<double, terms>, 3> values;
     for (std::size_t j = 0; j < terms; ++j) {
       const double node = std::cos(std::numbers::pi * (static_cast<double>(j) + 0.5) / terms);
-      const auto at_node = as_array(form(std::clamp(piece.center + node * (b - a) / 2, a, b)));
+      const auto at_node = numbers_at(std::clamp(piece.center + node * (b - a) / 2, a, b));
       for (std::size_t q = 0; q < 3; ++q) values[q][j] = at_node[q];
     }
     for (std::size_t q = 0; q < 3; ++q) piece.coefficients[q] = interpolate(values[q]);
@@ -110,11 +120,11 @@ CompiledLaw::Half CompiledLaw::compile(const std::function<BoundedForm(double)>&
     for (int j = 0; j <= terms; ++j) {
       const double position =
           std::clamp(piece.center - std::cos(std::numbers::pi * j / terms) * (b - a) / 2, a, b);
-      const auto exact = as_array(form(position));
+      const auto exact = numbers_at(position);
       for (std::size_t q = 0; q < 3; ++q) {
         const double value =
             evaluate(piece.coefficients[q], (position - piece.center) * piece.inverse_half_width);
-        error[q] = std::max(error[q], std::abs(value - exact[q]) / std::abs(exact[q]));
+        if (value != exact[q]) error[q] = std::max(error[q], std::abs(value - exact[q]) / std::abs(exact[q]));
       }
     }
     const bool good = safety * std::max(error[0], error[1]) <= tolerance &&
@@ -164,8 +174,9 @@ double CompiledLaw::Side::second(SlipRatio ratio) const {
 }
 
 Friction CompiledLaw::at(double v, double s) const {
-  return friction_from(
+  const Friction friction = friction_from(
       v, s, [this](SlipRatio u) { return inner_.at(u); }, [this](SlipRatio w) { return outer_.at(w); });
+  return {std::min(friction.xi, extent_.xi), std::min(friction.eta, extent_.eta)};
 }
 
 Curvature CompiledLaw::curvature(double v, double s) const {

@@ -17,12 +17,11 @@ class CompiledLaw {
  public:
   using Form = std::function<BoundedForm(SlipRatio)>;
 
-  /// `inner` and `outer` give the law for v <= s and for v > s.
-  /// `tolerance`: the relative error aimed at in ξ and η, 4e-16 to 1; second derivatives may be ten times
-  /// worse.
-  /// `breaks`: values of u = v/s > 0 where the law is known to be less smooth (u = 1 is always one).
-  /// Throws std::invalid_argument for a tolerance out of range, std::runtime_error where the law is noise at
-  /// it.
+  /// `inner` and `outer` give the law for v <= s and for v > s, `extent` its largest ξ and η, which `at`
+  /// never exceeds. `tolerance`: the relative error aimed at in ξ and η, 4e-16 to 1; second derivatives may
+  /// be ten times worse. `breaks`: values of u = v/s > 0 where the law is known to be less smooth (u = 1 is
+  /// always one). Throws std::invalid_argument for a tolerance out of range, std::runtime_error where the law
+  /// is noise at it or not finite.
   CompiledLaw(const Form& inner, const Form& outer, Extent extent, double tolerance,
               const std::vector<double>& breaks = {});
 
@@ -31,7 +30,7 @@ class CompiledLaw {
   Extent extent() const { return extent_; }
 
   /// Bound on the relative difference to the law it was made from, in ξ and η: twice the largest seen on
-  /// points between the nodes, at most the tolerance.
+  /// points between the nodes; more than the tolerance only if the law jumps at some u that is not a break.
   double error_bound() const { return error_bound_; }
   /// The number of polynomial pieces, for the record.
   std::size_t pieces() const;

@@ -16,6 +16,8 @@ namespace contensou {
 namespace {
 
 constexpr double two_over_pi = 2 / std::numbers::pi;
+constexpr double small_pressure = 1e-150;
+constexpr double large_pressure = 1e150;
 
 /// Complete elliptic integrals of parameter m = 1 − mc in
 /// the forms that lose no digits: B, D and E = B + mc D.
@@ -82,14 +84,26 @@ RadialLaw::RadialLaw(RadialPressure pressure) : pressure_(std::move(pressure)) {
   pressure_.breaks.push_back(0);
   pressure_.breaks.push_back(1);
   std::sort(pressure_.breaks.begin(), pressure_.breaks.end());
-  load_ = integral(0, [this](double rho) {
+  const auto checked = [this](double rho) {
     const double sigma = pressure_.sigma(rho);
     if (!(sigma >= 0 && std::isfinite(sigma))) {
       throw std::invalid_argument("radial pressure: sigma(" + to_text(rho) + ") = " + to_text(sigma) +
                                   ", expected a finite number >= 0");
     }
-    return sigma * rho;
+    return sigma;
+  };
+  // Only the shape counts: a pressure near either end of the range of doubles is moved to its middle.
+  double largest = 0;
+  integral(0, [&](double rho) {
+    largest = std::max(largest, checked(rho));
+    return rho;
   });
+  if (largest > 0 && (largest < small_pressure || largest > large_pressure)) {
+    pressure_.sigma = [sigma = std::move(pressure_.sigma), exponent = -std::ilogb(largest)](double rho) {
+      return std::ldexp(sigma(rho), exponent);
+    };
+  }
+  load_ = integral(0, [&](double rho) { return checked(rho) * rho; });
   if (!(load_ > 0 && std::isfinite(load_))) {
     throw std::invalid_argument("radial pressure: its integral over the patch is " + to_text(load_) +
                                 ", expected a finite number > 0");
@@ -114,7 +128,8 @@ double RadialLaw::integral(double split, const std::function<double(double)>& in
 // A ring of radius ρ turns at its own ratio a = u/ρ and carries the share σ ρ dρ of the load; its torque
 // counts with its lever ρ. Rings outside R* (ρ > u) spin, those inside slide.
 double RadialLaw::inner(SlipRatio ratio, Quantity quantity) const {
-  const double u = ratio.x;
+  // Where 1/u would overflow, the bounded forms are at their limit u → 0 to far more digits than there are.
+  const double u = ratio.x == 0 ? 0 : std::max(ratio.x, 1e-300);
   const auto ring = [&](double rho) {
     const double load = pressure_.sigma(rho) * rho;
     const bool spins = rho > u;
