@@ -1,5 +1,6 @@
 #include "record.hpp"
 
+#include <cmath>
 #include <cstdio>
 #include <utility>
 
@@ -8,6 +9,8 @@
 namespace verify {
 
 std::string verdict(const Claim& claim) {
+  // What is no number measures nothing, not even a flaw that is known; an infinite bound bounds nothing.
+  if (!std::isfinite(claim.error) || !std::isfinite(claim.bound)) return "fails";
   const bool holds = claim.error <= claim.bound;
   if (claim.should_hold) return holds ? "holds" : "fails";
   return holds ? "holds unexpectedly" : "fails as known";
@@ -19,7 +22,8 @@ void Record::add(Claim claim) { claims_.push_back(std::move(claim)); }
 void Record::add(LedgerRow row) { ledger_.push_back(std::move(row)); }
 
 int Record::finish(const std::filesystem::path& folder) const {
-  contensou::Table claims{{}, {"id", "where", "claim", "expected", "obtained", "error", "bound", "verdict"}, {}};
+  contensou::Table claims{
+      {}, {"id", "where", "claim", "expected", "obtained", "error", "bound", "verdict"}, {}};
   int surprises = 0;
   for (const Claim& c : claims_) {
     const std::string v = verdict(c);
@@ -35,8 +39,8 @@ int Record::finish(const std::filesystem::path& folder) const {
   }
   if (!claims.rows.empty()) contensou::write_table(claims, folder / ("claims-" + name_ + ".tsv"));
   if (!ledger.rows.empty()) contensou::write_table(ledger, folder / ("ledger-" + name_ + ".tsv"));
-  std::printf("%s: %zu claims, %d not as they should be; %zu ledger rows\n", name_.c_str(), claims_.size(), surprises,
-              ledger_.size());
+  std::printf("%s: %zu claims, %d not as they should be; %zu ledger rows\n", name_.c_str(), claims_.size(),
+              surprises, ledger_.size());
   return surprises == 0 ? 0 : 1;
 }
 

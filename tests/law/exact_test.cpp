@@ -181,7 +181,7 @@ TEST_CASE("PowerLaw against interval arithmetic", "[law][exact][reference]") {
     check("phi", phi, 1e-13);
     check("xi", xi, 1e-13);
     check("eta", eta, 1e-13);
-    check("f2", f2, 1e-11);  // compiled a thousand times coarser on purpose
+    check("f2", f2, 1e-13);
   }
 }
 
