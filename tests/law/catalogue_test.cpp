@@ -39,7 +39,8 @@ TEST_CASE("A wrong pressure is named with what was expected", "[law][catalogue]"
   CHECK_THROWS_WITH(pressure_exponent("power:2e6"), "power:2e6: expected power:N with N <= 1e6");
   for (const char* text : {"", "Uniform", "parabolic", "power", "uniform ", "hertz:1"}) {
     CAPTURE(text);
-    CHECK_THROWS_WITH(pressure_exponent(text), std::string(text) + ": expected uniform, hertz or power:N");
+    CHECK_THROWS_WITH(pressure_exponent(text),
+                      std::string(text) + ": expected uniform, hertz (the paper's parabolic) or power:N");
   }
   CHECK_THROWS_AS(pressure_exponent("x"), std::invalid_argument);
 }
@@ -48,6 +49,8 @@ TEST_CASE("Models by name", "[law][catalogue]") {
   CHECK(is<UniformLaw>(make_law("uniform")));
   CHECK(is<HertzLaw>(make_law("hertz", "exact")));
   CHECK(is<PowerLaw>(make_law("power:1")));
+  CHECK(is<UniformLaw>(make_law("power:0")));
+  CHECK(is<HertzLaw>(make_law("power:0.5")));
   CHECK(is<PrintedUniformLaw>(make_law("uniform", "series")));
   CHECK(is<SeriesLaw>(make_law("hertz", "series")));
   CHECK(std::get<SeriesLaw>(make_law("hertz", "series")).inner().size() == 4);

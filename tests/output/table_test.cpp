@@ -147,3 +147,17 @@ TEST_CASE("What cannot be written leaves nothing behind", "[output][table]") {
   CHECK(entries(folder.path) == 2);
   CHECK(fs::is_directory(folder.path / "taken" / "inside"));
 }
+
+TEST_CASE("A link stays a link, what it leads to is replaced", "[output][table]") {
+  const Folder folder;
+  write_file("old", folder.path / "real");
+  fs::create_symlink("real", folder.path / "link");
+  write_file("new", folder.path / "link");
+  CHECK(fs::is_symlink(folder.path / "link"));
+  CHECK(contents(folder.path / "real") == "new");
+
+  fs::create_symlink("nowhere", folder.path / "dangling");
+  CHECK_THROWS_WITH(write_file("x", folder.path / "dangling"), Catch::Contains("cannot be written"));
+  CHECK(fs::is_symlink(fs::symlink_status(folder.path / "dangling")));
+  CHECK(entries(folder.path) == 3);
+}

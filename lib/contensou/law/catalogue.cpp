@@ -28,9 +28,9 @@ bool after(std::string_view prefix, std::string_view name, std::string_view& res
   return true;
 }
 
-AnyLaw exact_law(std::string_view pressure, double n) {
-  if (pressure == "uniform") return UniformLaw{};
-  if (pressure == "hertz") return HertzLaw{};
+AnyLaw exact_law(double n) {
+  if (n == 0) return UniformLaw{};
+  if (n == 0.5) return HertzLaw{};
   return PowerLaw(n);
 }
 
@@ -46,7 +46,8 @@ double pressure_exponent(std::string_view pressure) {
   if (pressure == "uniform") return 0.0;
   if (pressure == "hertz") return 0.5;
   std::string_view number;
-  if (!after("power:", pressure, number)) reject(pressure, "uniform, hertz or power:N");
+  if (!after("power:", pressure, number))
+    reject(pressure, "uniform, hertz (the paper's parabolic) or power:N");
   double n = 0;
   if (!parse(number, n) || n <= -1) reject(pressure, "power:N with N > -1");
   if (n > PowerQuadrature::largest_n) reject(pressure, "power:N with N <= 1e6");
@@ -55,7 +56,7 @@ double pressure_exponent(std::string_view pressure) {
 
 AnyLaw make_law(std::string_view pressure, std::string_view model) {
   const double n = pressure_exponent(pressure);
-  if (model == "exact") return exact_law(pressure, n);
+  if (model == "exact") return exact_law(n);
   if (model == "printed") return printed_law(pressure);
   if (model == "series")
     return n == 0 && pressure == "uniform" ? AnyLaw(PrintedUniformLaw{}) : SeriesLaw(n, 4);

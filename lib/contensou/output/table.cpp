@@ -96,7 +96,8 @@ Table read_table(const std::filesystem::path& path) {
   std::string line;
   for (std::size_t number = 1; std::getline(in, line); ++number) {
     if (table.columns.empty() && line.starts_with('#')) {
-      table.comments.push_back(line.substr(std::min<std::size_t>(line.size(), line.starts_with("# ") ? 2 : 1)));
+      table.comments.push_back(
+          line.substr(std::min<std::size_t>(line.size(), line.starts_with("# ") ? 2 : 1)));
     } else if (table.columns.empty()) {
       table.columns = split(line);
     } else {
@@ -112,8 +113,26 @@ Table read_table(const std::filesystem::path& path) {
   return table;
 }
 
-void write_file(std::string_view text, const std::filesystem::path& path) {
+namespace {
+
+/// What the rename is to replace: the file a link leads to, never the link itself, and nothing but a regular
+/// file.
+std::filesystem::path replaceable(const std::filesystem::path& path) {
   std::error_code error;
+  const bool is_link = std::filesystem::is_symlink(std::filesystem::symlink_status(path, error));
+  const std::filesystem::path target = is_link ? std::filesystem::canonical(path, error) : path;
+  const auto status = std::filesystem::status(target, error);
+  if (target.empty() || (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))) {
+    throw std::runtime_error(path.string() + ": cannot be written, it is not a regular file");
+  }
+  return target;
+}
+
+}  // namespace
+
+void write_file(std::string_view text, const std::filesystem::path& name) {
+  std::error_code error;
+  const std::filesystem::path path = replaceable(name);
   if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), error);
   const std::filesystem::path temporary = path.string() + ".part";
   {
