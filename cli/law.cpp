@@ -96,10 +96,15 @@ contensou::AnyLaw chosen_law(const LawOptions& options) {
   }
 }
 
-/// The equations of the paper behind an exact law.
+/// The equations of the paper behind a law.
 std::string equations(const LawOptions& options) {
-  if (options.model != "exact") return "an approximation or a printed form, see contensou law --help";
   const double n = contensou::pressure_exponent(options.pressure);
+  if (options.model == "printed" && n == 0.5) {
+    return "to the letter of LG03 (3.17), (3.18), which lose all digits of eta by u = 1e4, of xi by u = 1e8";
+  }
+  if (n == 0 && (options.model == "printed" || options.model == "series"))
+    return "to the letter of LG03 (2.13), (2.14)";
+  if (options.model != "exact") return options.model + ", an approximation, see contensou law --help";
   if (n == 0) return "sigma constant, LG03 (2.1), (2.2), complete elliptic integrals";
   if (n == 0.5) return "sigma ~ sqrt(1 - rho^2/R^2), LG03 (3.14), (3.17), (3.18)";
   return "sigma ~ (1 - rho^2/R^2)^" + contensou::to_text(n) + ", LG03 (2.1) integrated";
