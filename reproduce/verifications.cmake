@@ -5,22 +5,25 @@
 # They run one at a time on the terminal: their progress is seen, and the benchmark does not compete with them.
 file(GLOB_RECURSE reference_tables CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/reference_data/*.tsv)
 
-# contensou_run(PROGRAM "comment" [SCRIPT.gp]) makes the target run_PROGRAM; the status file's name goes into
-# ${PROGRAM}_status, the command into ${PROGRAM}_command. Where the program ended well, SCRIPT.gp draws its tables in the
-# style of the figures.
+# contensou_run(PROGRAM "comment" TABLES names... [DRAWN_BY SCRIPT.gp DRAWINGS names...]) makes the target run_PROGRAM; the
+# status file's name goes into ${PROGRAM}_status, the command into ${PROGRAM}_command. Where the program ended well,
+# SCRIPT.gp draws its tables in the style of the figures. A table or drawing that is missing is made again.
 function(contensou_run program comment)
+  cmake_parse_arguments(arg "" "DRAWN_BY" "TABLES;DRAWINGS" ${ARGN})
+  list(TRANSFORM arg_TABLES REPLACE "(.+)" "${report_data}/\\1.tsv" OUTPUT_VARIABLE tables)
+  list(TRANSFORM arg_DRAWINGS REPLACE "(.+)" "${report_figures}/\\1.svg" OUTPUT_VARIABLE drawings)
   set(status ${report_data}/parts/status-${program}.tsv)
   set(run ${CMAKE_COMMAND} -Dname=${program} -Dfolder=${report_data} -Dstatus=${status})
   set(script ${CMAKE_CURRENT_SOURCE_DIR}/run_and_record.cmake)
   if(TARGET ${program})
-    if(ARGN)
-      list(APPEND run -Dgnuplot=${GNUPLOT} -Ddrawing=${ARGN} -Dfigures=${report_figures}
+    if(arg_DRAWN_BY)
+      list(APPEND run -Dgnuplot=${GNUPLOT} -Ddrawing=${arg_DRAWN_BY} -Dfigures=${report_figures}
                       -Dstyle=${CMAKE_CURRENT_SOURCE_DIR}/style.gp)
     endif()
     list(APPEND run -Dprogram=$<TARGET_FILE:${program}>)
-    add_custom_command(OUTPUT ${status}
+    add_custom_command(OUTPUT ${status} ${tables} ${drawings}
       COMMAND ${run} -P ${script}
-      DEPENDS ${program} ${script} ${reference_tables} ${ARGN}
+      DEPENDS ${program} ${script} ${reference_tables} ${arg_DRAWN_BY}
       COMMENT "${comment}" USES_TERMINAL VERBATIM)
   else()
     list(APPEND run -Dprogram=)
@@ -34,11 +37,18 @@ function(contensou_run program comment)
   set(${program}_command ${run} -Dstrict=ON -P ${script} PARENT_SCOPE)
 endfunction()
 
-contensou_run(verify_quadrature "Verification: the definition (2.1) by adaptive quadrature")
-contensou_run(verify_ledger "Verification: every equation and claim of the paper")
-contensou_run(verify_plates "Verification: the friction plates")
-contensou_run(verify_accuracy "Verification: accuracy in ulp" ${PROJECT_SOURCE_DIR}/verify/accuracy/accuracy.gp)
-contensou_run(bench_laws "What accuracy costs: measuring" ${PROJECT_SOURCE_DIR}/bench/laws/cost_laws.gp)
+contensou_run(verify_quadrature "Verification: the definition (2.1) by adaptive quadrature"
+  TABLES verify_quadrature verify_quadrature_radial verify_quadrature_vectors parts/claims-quadrature)
+contensou_run(verify_ledger "Verification: every equation and claim of the paper"
+  TABLES parts/claims-ledger parts/ledger-ledger)
+contensou_run(verify_plates "Verification: the friction plates"
+  TABLES plates parts/claims-plates)
+contensou_run(verify_accuracy "Verification: accuracy in ulp"
+  TABLES accuracy accuracy_loss accuracy_over_u accuracy_power parts/claims-accuracy
+  DRAWN_BY ${PROJECT_SOURCE_DIR}/verify/accuracy/accuracy.gp DRAWINGS accuracy)
+contensou_run(bench_laws "What accuracy costs: measuring"
+  TABLES cost_laws cost_laws_front cost_ratios
+  DRAWN_BY ${PROJECT_SOURCE_DIR}/bench/laws/cost_laws.gp DRAWINGS cost_laws)
 
 # Measured times stand until the program changes; who asks for them by name wants them measured now.
 add_custom_target(bench COMMAND ${bench_laws_command} COMMENT "What accuracy costs: measuring" USES_TERMINAL VERBATIM)
