@@ -26,9 +26,7 @@ int write_page(const fs::path& folder, const fs::path& sources) {
 
 int say_verdict(const fs::path& folder) {
   const report::Evidence evidence = report::collect(folder / "data");
-  for (const auto& [verdict, count] : report::tally(evidence.claims, "verdict")) {
-    std::printf("claims: %d %s\n", count, verdict.c_str());
-  }
+  std::printf("%s\n", report::in_words(evidence).c_str());
   for (const auto& complaint : evidence.complaints) std::printf("%s\n", complaint.text.c_str());
   if (fs::exists(folder / "index.html")) std::printf("The report: %s\n", (folder / "index.html").c_str());
   return evidence.complaints.empty() ? 0 : 1;

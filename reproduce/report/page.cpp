@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
 #include <stdexcept>
 #include <string_view>
 #include <vector>
@@ -45,9 +46,10 @@ std::string complaint(const Complaint& c) {
 
 std::string verdict(const Evidence& evidence) {
   const bool good = evidence.complaints.empty();
-  std::string html =
-      fmt::format("<div class=\"verdict {}\"><p class=\"sentence\">{}</p>\n", good ? "good" : "bad",
-                  good ? "Every claim that should hold holds." : "Not everything came out as it should.");
+  std::string html = fmt::format(
+      "<div class=\"verdict {}\"><p class=\"sentence\">{}</p>\n<p>{}.</p>\n", good ? "good" : "bad",
+      good ? "Every claim came out as it should." : "Not everything came out as it should.",
+      escape(in_words(evidence)));
   if (!good) {
     constexpr std::size_t shown = 12;
     html += "<ul>";
@@ -80,6 +82,24 @@ std::string programs(const Evidence& evidence) {
   for (const auto& p : evidence.programs)
     table.add({p.program, p.status == "0" ? "ok" : "failed: " + p.status, p.seconds});
   return report::table(table, "programs", "Programs of this run", true);
+}
+
+// The processor's name as Linux knows it.
+std::string processor() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);) {
+    const std::size_t colon = line.find(": ");
+    if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
+  }
+  return "unknown";
+}
+
+// What was run, and on what.
+std::string provenance() {
+  const std::string_view build_type = REPORT_BUILD_TYPE;
+  return fmt::format("<p>contensou {}, compiled by {}, build type {}. Processor: {}.</p>\n", REPORT_VERSION,
+                     escape(REPORT_COMPILER), build_type.empty() ? "none" : escape(std::string(build_type)),
+                     escape(processor()));
 }
 
 const std::string not_there =
@@ -212,6 +232,7 @@ std::string page(const Evidence& evidence, const fs::path& sources, const fs::pa
                {"accuracy", accuracy(report)},
                {"plates", drawings(report, "plate", "Friction plates") + tables(report, {"plate"})},
                {"cost", drawings(report, "cost_", "Error against time") + tables(report, {"cost_"})},
+               {"provenance", provenance()},
                {"programs", programs(evidence)}});
 }
 

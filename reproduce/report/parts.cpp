@@ -79,6 +79,15 @@ Evidence collect(const fs::path& data) {
   return evidence;
 }
 
+std::string in_words(const Evidence& evidence) {
+  auto counts = tally(evidence.claims, "verdict");
+  const std::size_t surprises = evidence.complaints.size();
+  return fmt::format(
+      "{} claims hold; {} known to be false fail as they should; "
+      "{} surprise{}",
+      counts["holds"], counts["fails as known"], surprises, surprises == 1 ? "" : "s");
+}
+
 std::map<std::string, int> tally(const Table& table, const std::string& column) {
   std::map<std::string, int> counts;
   for (const std::string& value : table.texts(column)) ++counts[value];

@@ -33,6 +33,10 @@ struct Evidence {
 /// complaint if nothing was claimed at all.
 Evidence collect(const std::filesystem::path& data);
 
+/// The verdict in one sentence, without a full stop: how many claims hold, how many fail as they should, how
+/// many surprises (complaints) there are.
+std::string in_words(const Evidence& evidence);
+
 /// How often each value stands in a column.
 std::map<std::string, int> tally(const contensou::Table& table, const std::string& column);
 
