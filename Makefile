@@ -17,7 +17,7 @@ help:
 	@echo 'make verify      the verification programs alone'
 	@echo 'make bench       what accuracy costs, measured on this machine'
 	@echo 'make figNN       one figure, e.g. make fig05, into $(BUILD)/report/figures'
-	@echo 'make report      the report page from what has been run'
+	@echo 'make report      the report page; runs first whatever is out of date'
 	@echo 'make build       the programs, into $(BUILD)/bin'
 	@echo 'make setup       install the Debian packages that are missing (tools/packages.txt); done by all of the above'
 	@echo 'make clean       remove $(BUILD)'
