@@ -130,6 +130,11 @@ TEST_CASE("The worst arguments that a random search has found", "[law][exact]") 
     double u;
     long double phi, xi, eta;
   };
+  const auto check = [](const Reduced& law, const Found& f) {
+    CHECK(ulps(law.phi, f.phi) <= 4);
+    CHECK(ulps(law.xi, f.xi) <= 4);
+    CHECK(ulps(law.eta, f.eta) <= 4);
+  };
   for (const Found& f : {Found{1.3255460278261453, 0.8447718892563364171659968L, 0.9388930257039856542681552L,
                                0.1581499840104312155087441L},
                          {1.3294398396239677, 0.8453906189264410975169305L, 0.9392804724959011112543579L,
@@ -139,25 +144,17 @@ TEST_CASE("The worst arguments that a random search has found", "[law][exact]") 
                          {1.3323945773041654, 0.8458580727430075856367757L, 0.9395719214551431682069556L,
                           0.1572477584871140976466564L}}) {
     CAPTURE(to_text(f.u));
-    const Reduced scalar = reduced(HertzLaw{}, f.u);
-    CHECK(ulps(scalar.phi, f.phi) <= 4);
-    CHECK(ulps(scalar.xi, f.xi) <= 4);
-    CHECK(ulps(scalar.eta, f.eta) <= 4);
+    check(reduced(HertzLaw{}, f.u), f);
     Reduced batch{};
     reduced_hertz({&f.u, 1}, {{&batch.phi, 1}, {&batch.xi, 1}, {&batch.eta, 1}});
-    CHECK(ulps(batch.phi, f.phi) <= 4);
-    CHECK(ulps(batch.xi, f.xi) <= 4);
-    CHECK(ulps(batch.eta, f.eta) <= 4);
+    check(batch, f);
   }
   for (const Found& f : {Found{1.3307006145351528, 0.8573641267811252230938377L, 0.9232306552514291934206927L,
                                0.1985914946877483905881459L},
                          {1.3332544290969635, 0.8577284464851031165265525L, 0.9235543429127273882031426L,
                           0.1981603504586635795364852L}}) {
     CAPTURE(to_text(f.u));
-    const Reduced scalar = reduced(UniformLaw{}, f.u);
-    CHECK(ulps(scalar.phi, f.phi) <= 4);
-    CHECK(ulps(scalar.xi, f.xi) <= 4);
-    CHECK(ulps(scalar.eta, f.eta) <= 4);
+    check(reduced(UniformLaw{}, f.u), f);
   }
 }
 
