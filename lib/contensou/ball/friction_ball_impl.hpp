@@ -1,0 +1,117 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "contensou/ball/friction_ball.hpp"
+
+namespace contensou::detail {
+
+/// A vector in cylinder coordinates.
+struct Cylindrical {
+  Meridian meridian;
+  double e1, e2;  ///< unit vector of the tangential part; (1, 0) where that is zero
+  double sign;    ///< of the spin part
+
+  Eigen::Vector3d vector(Meridian m) const { return {m.t * e1, m.t * e2, sign * m.tau}; }
+};
+
+/// Throws std::domain_error for a vector that is not finite.
+Cylindrical cylindrical(const Eigen::Vector3d& x);
+/// Throws std::invalid_argument unless size is finite and >= 0.
+void require_size(double size);
+[[noreturn]] void no_direction();
+
+inline Meridian unit(Meridian direction) {
+  const double length = std::sqrt(direction.t * direction.t + direction.tau * direction.tau);
+  return {direction.t / length, direction.tau / length};
+}
+
+/// D = along tᵀt + across φφᵀ with the meridian's unit tangent t and the unit vector φ around the axis.
+Eigen::Matrix3d projection_jacobian(const Cylindrical& frame, Meridian unit_normal, double along, double across);
+
+}  // namespace contensou::detail
+
+namespace contensou {
+
+template <FrictionPlate P>
+double FrictionBall<P>::support(double size, const SlipVelocity& gamma) const {
+  detail::require_size(size);
+  const Meridian direction = detail::cylindrical(gamma).meridian;
+  return size * plate_.support(direction.t, direction.tau);
+}
+
+template <FrictionPlate P>
+FrictionForce FrictionBall<P>::boundary_point(double size, const Eigen::Vector3d& normal) const {
+  detail::require_size(size);
+  const detail::Cylindrical frame = detail::cylindrical(normal);
+  if (frame.meridian.t == 0 && frame.meridian.tau == 0) detail::no_direction();
+  const Friction border = plate_.border(frame.meridian.t, frame.meridian.tau);
+  return frame.vector({size * border.xi, size * border.eta});
+}
+
+template <FrictionPlate P>
+double FrictionBall<P>::gauge(const FrictionForce& force) const {
+  const Meridian p = detail::cylindrical(force).meridian;
+  return p.t == 0 && p.tau == 0 ? 0 : plate_.ray(p.t, p.tau).gauge;
+}
+
+template <FrictionPlate P>
+bool FrictionBall<P>::contains(const FrictionForce& force, double size) const {
+  return project(force, size).inside;
+}
+
+template <FrictionPlate P>
+bool FrictionBall<P>::on_boundary(const FrictionForce& force, double size, double tolerance) const {
+  detail::require_size(size);
+  return std::abs(gauge(force) - size) <= tolerance * size;
+}
+
+template <FrictionPlate P>
+Eigen::Vector3d FrictionBall<P>::normal(const FrictionForce& force) const {
+  const detail::Cylindrical frame = detail::cylindrical(force);
+  const Meridian p = frame.meridian;
+  if (p.t == 0 && p.tau == 0) detail::no_direction();
+  return frame.vector(detail::unit(plate_.ray(p.t, p.tau).direction));
+}
+
+template <FrictionPlate P>
+Projection<3> FrictionBall<P>::project(const FrictionForce& force, double size) const {
+  detail::require_size(size);
+  const detail::Cylindrical frame = detail::cylindrical(force);
+  const Meridian p = frame.meridian;
+  if (p.t == 0 && p.tau == 0) return {force, Eigen::Vector3d::Zero(), 0, 0, 0, true};
+  if (size == 0) {
+    const double distance = std::hypot(p.t, p.tau);
+    return {Eigen::Vector3d::Zero(), frame.vector({p.t / distance, p.tau / distance}), distance, 0, 0, false};
+  }
+  const PlateProjection q = plate_.project(p, size);
+  if (q.inside) return {force, Eigen::Vector3d::Zero(), 0, 0, q.iterations, true};
+  return {frame.vector(q.point), frame.vector(detail::unit(q.direction)), q.distance, q.residual, q.iterations,
+          false};
+}
+
+template <FrictionPlate P>
+ProjectionDerivative<3> FrictionBall<P>::derivative(const Projection<3>& q, const FrictionForce& force,
+                                                    double size) const {
+  if (q.inside) return {Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero()};
+  const detail::Cylindrical frame = detail::cylindrical(force);
+  const Meridian n{q.normal.head<2>().norm(), std::abs(q.normal.z())};
+  const Meridian direction = n.t <= n.tau ? Meridian{n.t / n.tau, 1} : Meridian{1, n.tau / n.t};
+  if (size == 0) {
+    return {Eigen::Matrix3d::Zero(), boundary_point(1, q.normal)};
+  }
+  const Meridian point{q.point.head<2>().norm(), std::abs(q.point.z())};
+  const double radius =
+      size * plate_.curvature_radius({point, direction, q.distance, q.residual, q.iterations, false});
+  const double along = std::isinf(radius) ? 1 : radius / (radius + q.distance);
+  const double across = frame.meridian.t > 0 ? point.t / frame.meridian.t : along;
+  ProjectionDerivative<3> d;
+  d.force = detail::projection_jacobian(frame, n, along, across);
+  d.size = (q.point - d.force * q.point) / size;
+  return d;
+}
+
+}  // namespace contensou
