@@ -12,11 +12,11 @@
 #include <memory>
 
 #include "common/program.hpp"
+#include "common/stopwatch.hpp"
 #include "contensou/output/table.hpp"
 #include "methods.hpp"
 #include "ratios.hpp"
 #include "sample.hpp"
-#include "stopwatch.hpp"
 
 namespace bench {
 namespace {

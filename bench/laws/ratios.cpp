@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "common/stopwatch.hpp"
 #include "contensou/law/batch.hpp"
 #include "contensou/law/hertz.hpp"
 #include "contensou/law/uniform.hpp"
 #include "methods.hpp"
 #include "rivals/elliptic.hpp"
 #include "sample.hpp"
-#include "stopwatch.hpp"
 
 namespace bench {
 namespace {
