@@ -10,7 +10,8 @@ namespace contensou {
 
 /// The solvers of the contact problem.
 enum class SolverMethod {
-  modified_newton,    ///< LG03 4.1: augmented Lagrangian, projection with a parameter r; slow, simple, as printed
+  modified_newton,    ///< LG03 4.1: augmented Lagrangian, projection with a parameter r; slow, simple, as
+                      ///< printed
   gauss_seidel,       ///< projected block Gauss–Seidel: contact after contact, each solved exactly
   semismooth_newton,  ///< Newton's method on the augmented-Lagrangian equations, with a line search
   automatic,          ///< one contact at once; several by semismooth Newton, with all else behind it
@@ -18,9 +19,10 @@ enum class SolverMethod {
 
 struct SolverOptions {
   SolverMethod method = SolverMethod::automatic;
-  double tolerance = 1e-12;       ///< of natural_map_residual
-  int max_iterations = 0;         ///< 0: the method's own limit
-  std::optional<double> r = {};   ///< modified_newton only [kg]; not given: chosen safely, see modified_newton.hpp
+  double tolerance = 1e-12;  ///< of natural_map_residual
+  int max_iterations = 0;    ///< 0: the method's own limit
+  std::optional<double> r =
+      {};  ///< modified_newton only [kg]; not given: chosen safely, see modified_newton.hpp
 };
 
 enum class SolverStatus {
