@@ -1,10 +1,13 @@
-# cmake -Dname=... -Dprogram=PATH -Dfolder=DATA -Dstatus=FILE
+# cmake -Dname=... -Dprogram=PATH -Dfolder=DATA -Dstatus=FILE [-Dskipped=REASON]
 #       [-Dgnuplot=PATH -Ddrawing=SCRIPT -Dstyle=FILE -Dfigures=FOLDER] [-Dstrict=ON] -P run_and_record.cmake
-# Runs `program --out folder`, then the drawing; writes exit status and duration as a table; succeeds whatever they say,
+# Runs `program --out folder`, then the drawing; a program that is empty was not built, which is a failure unless it may be
+# skipped for a reason. Writes exit status and duration as a table; succeeds whatever they say,
 # unless it is to be strict.
 string(TIMESTAMP begin "%s" UTC)
 if(program)
   execute_process(COMMAND ${program} --out ${folder} RESULT_VARIABLE result)
+elseif(skipped)
+  set(result "skipped: ${skipped}")
 else()
   set(result "not built")
 endif()

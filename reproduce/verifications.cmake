@@ -5,11 +5,13 @@
 # They run one at a time on the terminal: their progress is seen, and the benchmark does not compete with them.
 file(GLOB_RECURSE reference_tables CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/reference_data/*.tsv)
 
-# contensou_run(PROGRAM "comment" TABLES names... [DRAWN_BY SCRIPT.gp DRAWINGS names...]) makes the target run_PROGRAM; the
+# contensou_run(PROGRAM "comment" TABLES names... [DRAWN_BY SCRIPT.gp DRAWINGS names...] [OPTIONAL reason])
+# makes the target run_PROGRAM; the
 # status file's name goes into ${PROGRAM}_status, the command into ${PROGRAM}_command. Where the program ended well,
-# SCRIPT.gp draws its tables in the style of the figures. A table or drawing that is missing is made again.
+# SCRIPT.gp draws its tables in the style of the figures. A table or drawing that is missing is made again. A program that was
+# not built is a failure, unless it is OPTIONAL: then it is noted as skipped, for that reason.
 function(contensou_run program comment)
-  cmake_parse_arguments(arg "" "DRAWN_BY" "TABLES;DRAWINGS" ${ARGN})
+  cmake_parse_arguments(arg "" "DRAWN_BY;OPTIONAL" "TABLES;DRAWINGS" ${ARGN})
   list(TRANSFORM arg_TABLES REPLACE "(.+)" "${report_data}/\\1.tsv" OUTPUT_VARIABLE tables)
   list(TRANSFORM arg_DRAWINGS REPLACE "(.+)" "${report_figures}/\\1.svg" OUTPUT_VARIABLE drawings)
   set(status ${report_data}/parts/status-${program}.tsv)
@@ -26,7 +28,7 @@ function(contensou_run program comment)
       DEPENDS ${program} ${script} ${reference_tables} ${arg_DRAWN_BY}
       COMMENT "${comment}" USES_TERMINAL VERBATIM)
   else()
-    list(APPEND run -Dprogram=)
+    list(APPEND run -Dprogram= "-Dskipped=${arg_OPTIONAL}")
     add_custom_command(OUTPUT ${status}
       COMMAND ${run} -P ${script}
       DEPENDS ${script}

@@ -70,7 +70,9 @@ Evidence collect(const fs::path& data) {
       evidence.programs.push_back(
           {row[table.column("program")], row[table.column("status")], row[table.column("seconds")]});
       const ProgramStatus& p = evidence.programs.back();
-      if (p.status != "0") {
+      if (p.status.starts_with("skipped")) {
+        evidence.skipped.push_back(fmt::format("{} ({})", p.program, p.status));
+      } else if (p.status != "0") {
         evidence.complaints.push_back(
             {fmt::format("Program {} ended with status: {}.", p.program, p.status), ""});
       }
@@ -82,10 +84,12 @@ Evidence collect(const fs::path& data) {
 std::string in_words(const Evidence& evidence) {
   auto counts = tally(evidence.claims, "verdict");
   const std::size_t surprises = evidence.complaints.size();
+  std::string skipped;
+  for (const std::string& program : evidence.skipped) skipped += "; " + program;
   return fmt::format(
       "{} claims hold; {} known to be false fail as they should; "
-      "{} surprise{}",
-      counts["holds"], counts["fails as known"], surprises, surprises == 1 ? "" : "s");
+      "{} surprise{}{}",
+      counts["holds"], counts["fails as known"], surprises, surprises == 1 ? "" : "s", skipped);
 }
 
 std::map<std::string, int> tally(const Table& table, const std::string& column) {

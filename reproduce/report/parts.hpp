@@ -12,7 +12,8 @@ namespace report {
 
 struct ProgramStatus {
   std::string program;
-  std::string status;  ///< "0" where all went well; another exit status, a signal, or "not built"
+  std::string
+      status;  ///< "0" where all went well; another exit status, a signal, "not built", "skipped: why"
   std::string seconds;
 };
 
@@ -25,6 +26,7 @@ struct Evidence {
   contensou::Table claims;  ///< all parts/claims-*.tsv
   contensou::Table ledger;  ///< all parts/ledger-*.tsv
   std::vector<ProgramStatus> programs;
+  std::vector<std::string> skipped;   ///< programs that need something this machine has not, and may
   std::vector<Complaint> complaints;  ///< why the whole is not as it should be; empty where it is
 };
 
