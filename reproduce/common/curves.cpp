@@ -37,6 +37,20 @@ std::vector<Direction> whole_turn(int n) {
   return directions;
 }
 
+std::vector<PlatePoint> border(const contensou::PlateSeries& plate, int n) {
+  std::vector<PlatePoint> points;
+  for (int k = 0; k <= n; ++k) {
+    const double xi = plate.seam * (static_cast<double>(k) / n);
+    points.push_back({"inner", {xi, inner_boundary_eta(plate, xi)}});
+  }
+  for (int k = n; k >= 0; --k) {
+    // Quadratic spacing, as η ~ √(1 − ξ).
+    const double xi = 1 - (1 - plate.seam) * (static_cast<double>(k * k) / (n * n));
+    points.push_back({"outer", {xi, outer_boundary_eta(plate, xi)}});
+  }
+  return points;
+}
+
 contensou::Table curve_table(const std::string& figure, const std::string& what, const std::string& units,
                              const std::string& law, std::vector<std::string> columns) {
   return {{"Figure " + figure.substr(0, 1) + ": " + what, "units: " + units, "law: " + law,

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "contensou/ball/plate_series.hpp"
 #include "contensou/law/friction_law.hpp"
 #include "contensou/output/table.hpp"
 
@@ -33,6 +34,16 @@ contensou::Friction signed_friction(const L& law, double v, double s) {
   const auto [xi, eta] = law.at(std::abs(v), std::abs(s));
   return {std::copysign(xi, v), std::copysign(eta, s)};
 }
+
+/// A point (ξ, η) of the border of a plate made of two series, and which of the two it is on.
+struct PlatePoint {
+  std::string branch;  ///< "inner" | "outer"
+  contensou::Friction at;
+};
+
+/// The quarter of the border from the pole to the equator in 2n + 2 points, both ends of the step at the seam
+/// among them, n a power of two. The ξ are exact doubles where the seam is a short binary fraction.
+std::vector<PlatePoint> border(const contensou::PlateSeries& plate, int n);
 
 /// An empty table whose comments say what it holds, in which units, by which law, and how to make it again.
 contensou::Table curve_table(const std::string& figure, const std::string& what, const std::string& units,

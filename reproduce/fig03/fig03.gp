@@ -48,3 +48,22 @@ unset xtics; unset ytics
 plot plate using "lambda_t":"lambda_tau" with lines linestyle 1, \
      for [b in "inner outer"] printed using (branch(b, column("lambda_t"))):"lambda_tau" with lines linestyle 4
 unset multiplot
+
+# (c) projections onto the plate: from a force outside, along the normal
+reset
+load style
+eval panel("fig03c", 440, 450)
+set size ratio -1
+set xrange [0:1.4]; set yrange [-0.2:1.2]
+set xtics 0.5; set ytics 0,0.5,1
+set xlabel "{/:Italic λ_T}/({/:Italic μλ_N})"
+set ylabel "{/:Italic λ_τ}/({/:Italic μλ_N})"
+set yzeroaxis linestyle 8
+set xzeroaxis linestyle 8
+set label 1 "{/:Italic P_F}" at 0.17, 0.2 center front
+points = data."/fig03c.tsv"
+outside(x) = column("inside") == 0 ? x : NaN
+plot plate using (column("lambda_t")):(column("lambda_tau")) with filledcurves closed fillcolor rgb pale_blue fillstyle solid noborder, \
+     plate using "lambda_t":"lambda_tau" with lines linestyle 1, \
+     points using (outside(column("lambda_t"))):"lambda_tau":(column("nearest_t") - column("lambda_t")):(column("nearest_tau") - column("lambda_tau")) with vectors arrowstyle 1, \
+     points using "lambda_t":"lambda_tau" with points pointtype 7 pointsize 0.55 linecolor rgb ink

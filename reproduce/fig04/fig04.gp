@@ -18,4 +18,10 @@ set border 31 linewidth 0.6
 set palette defined (0 '#dcebf5', 1 '#5aa2cf')
 unset colorbox
 set pm3d depthorder border linecolor rgb '#2b5f80' linewidth 0.4
+set multiplot
 splot $mesh using 1:2:3 with pm3d
+# The printed meridians that face the reader: on top, for pm3d would sort them into its own patches.
+unset xtics; unset ytics; unset ztics; unset xlabel; unset ylabel; unset label; set border 0
+set label 2 "(2.19)" at screen 0.79,0.83 left textcolor rgb vermilion front
+splot for [m = 30:48:6] data."/fig04_printed.tsv" using (column("meridian") == m ? column("lambda_t1") : NaN):"lambda_t2":"lambda_tau" with lines linestyle 4
+unset multiplot
