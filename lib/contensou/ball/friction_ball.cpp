@@ -21,8 +21,15 @@ Cylindrical cylindrical(const Eigen::Vector3d& x) {
   }
   const double sign = std::signbit(x[2]) ? -1.0 : 1.0;
   if (t == 0) return {{0, tau}, 1, 0, sign};
-  if (std::isinf(t)) t = std::numeric_limits<double>::max();  // up to √2 too small: only its direction is felt
+  if (std::isinf(t))
+    t = std::numeric_limits<double>::max();  // up to √2 too small: only its direction is felt
   return {{t, tau}, x1 / t, x2 / t, sign};
+}
+
+int exponent_of(Meridian p) {
+  int exponent = 0;
+  std::frexp(std::max(p.t, p.tau), &exponent);
+  return exponent;
 }
 
 void require_size(double size) {

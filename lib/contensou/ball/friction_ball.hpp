@@ -27,11 +27,13 @@ class FrictionBall {
 
   /// max of λ·γ over the ball [W]: Φ(γ) for a convex ball.
   double support(double size, const SlipVelocity& gamma) const;
-  /// The point of the border with outward normal along `normal` (any length, not zero, else std::domain_error):
-  /// −λ_F of the slip velocity `normal`. Where the border has a flat there, the point of least norm.
+  /// The point of the border with outward normal along `normal` (any length, not zero, else
+  /// std::domain_error): −λ_F of the slip velocity `normal`. Where the border has a flat there, the point of
+  /// least norm.
   FrictionForce boundary_point(double size, const Eigen::Vector3d& normal) const;
 
-  /// The size μλ_N of the ball that just reaches the force; infinite where none does (a torque against a disk).
+  /// The size μλ_N of the ball that just reaches the force; infinite where none does (a torque against a
+  /// disk).
   double gauge(const FrictionForce& force) const;
   /// Whether the force is in the ball: the contact can stick under it.
   bool contains(const FrictionForce& force, double size) const;
@@ -45,7 +47,8 @@ class FrictionBall {
   /// The nearest point of the ball: prox_B(force), LG03 (4.12).
   Projection<3> project(const FrictionForce& force, double size) const;
   /// The generalised Jacobian of the projection q = project(force, size): along the meridian ρ/(ρ + distance)
-  /// with the border's radius of curvature ρ, across it ‖q_T‖/‖λ_T‖, zero along the normal; the identity inside.
+  /// with the border's radius of curvature ρ, across it ‖q_T‖/‖λ_T‖, zero along the normal; the identity
+  /// inside.
   ProjectionDerivative<3> derivative(const Projection<3>& q, const FrictionForce& force, double size) const;
 
  private:

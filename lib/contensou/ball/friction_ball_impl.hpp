@@ -18,6 +18,28 @@ struct Cylindrical {
   Eigen::Vector3d vector(Meridian m) const { return {m.t * e1, m.t * e2, sign * m.tau}; }
 };
 
+/// Far from the ends of the range of doubles, where a plate needs no care: no scaling.
+constexpr double large_force = 0x1p500;
+inline bool comfortable(Meridian p) {
+  const double largest = std::max(p.t, p.tau);
+  return largest < large_force && largest > 1 / large_force;
+}
+
+/// The exponent that brings the larger component, which is not zero, into [½, 1).
+int exponent_of(Meridian p);
+
+/// The projection at the ends of the range, by that of p and size over a common power of two.
+template <FrictionPlate P>
+PlateProjection project_scaled(const P& plate, Meridian p, double size) {
+  const int exponent = exponent_of(p);
+  PlateProjection q =
+      plate.project({std::ldexp(p.t, -exponent), std::ldexp(p.tau, -exponent)}, std::ldexp(size, -exponent));
+  q.point = {std::ldexp(q.point.t, exponent), std::ldexp(q.point.tau, exponent)};
+  q.distance = std::ldexp(q.distance, exponent);
+  q.residual = std::ldexp(q.residual, exponent);
+  return q;
+}
+
 /// Throws std::domain_error for a vector that is not finite.
 Cylindrical cylindrical(const Eigen::Vector3d& x);
 /// Throws std::invalid_argument unless size is finite and >= 0.
@@ -30,7 +52,8 @@ inline Meridian unit(Meridian direction) {
 }
 
 /// D = along tᵀt + across φφᵀ with the meridian's unit tangent t and the unit vector φ around the axis.
-Eigen::Matrix3d projection_jacobian(const Cylindrical& frame, Meridian unit_normal, double along, double across);
+Eigen::Matrix3d projection_jacobian(const Cylindrical& frame, Meridian unit_normal, double along,
+                                    double across);
 
 }  // namespace contensou::detail
 
@@ -55,7 +78,10 @@ FrictionForce FrictionBall<P>::boundary_point(double size, const Eigen::Vector3d
 template <FrictionPlate P>
 double FrictionBall<P>::gauge(const FrictionForce& force) const {
   const Meridian p = detail::cylindrical(force).meridian;
-  return p.t == 0 && p.tau == 0 ? 0 : plate_.ray(p.t, p.tau).gauge;
+  if (p.t == 0 && p.tau == 0) return 0;
+  if (detail::comfortable(p)) return plate_.ray(p.t, p.tau).gauge;
+  const int exponent = detail::exponent_of(p);
+  return std::ldexp(plate_.ray(std::ldexp(p.t, -exponent), std::ldexp(p.tau, -exponent)).gauge, exponent);
 }
 
 template <FrictionPlate P>
@@ -74,7 +100,9 @@ Eigen::Vector3d FrictionBall<P>::normal(const FrictionForce& force) const {
   const detail::Cylindrical frame = detail::cylindrical(force);
   const Meridian p = frame.meridian;
   if (p.t == 0 && p.tau == 0) detail::no_direction();
-  return frame.vector(detail::unit(plate_.ray(p.t, p.tau).direction));
+  const int exponent = detail::comfortable(p) ? 0 : detail::exponent_of(p);
+  const PlateRay ray = plate_.ray(std::ldexp(p.t, -exponent), std::ldexp(p.tau, -exponent));
+  return frame.vector(detail::unit(ray.direction));
 }
 
 template <FrictionPlate P>
@@ -87,9 +115,14 @@ Projection<3> FrictionBall<P>::project(const FrictionForce& force, double size) 
     const double distance = std::hypot(p.t, p.tau);
     return {Eigen::Vector3d::Zero(), frame.vector({p.t / distance, p.tau / distance}), distance, 0, 0, false};
   }
-  const PlateProjection q = plate_.project(p, size);
+  const PlateProjection q =
+      detail::comfortable(p) ? plate_.project(p, size) : detail::project_scaled(plate_, p, size);
   if (q.inside) return {force, Eigen::Vector3d::Zero(), 0, 0, q.iterations, true};
-  return {frame.vector(q.point), frame.vector(detail::unit(q.direction)), q.distance, q.residual, q.iterations,
+  return {frame.vector(q.point),
+          frame.vector(detail::unit(q.direction)),
+          q.distance,
+          q.residual,
+          q.iterations,
           false};
 }
 

@@ -20,8 +20,9 @@ struct Projection {
 /// An element of the generalised Jacobian (Clarke) of the projection as a function of force and size.
 template <int dimension>
 struct ProjectionDerivative {
-  Eigen::Matrix<double, dimension, dimension> force;  ///< symmetric, eigenvalues in [0, 1] for a convex domain
-  Eigen::Matrix<double, dimension, 1> size;           ///< (I − force) point/size; zero inside
+  Eigen::Matrix<double, dimension, dimension>
+      force;                                 ///< symmetric, eigenvalues in [0, 1] for a convex domain
+  Eigen::Matrix<double, dimension, 1> size;  ///< (I − force) point/size; zero inside
 };
 
 /// The admissible friction forces of one contact, LG03 (2.15), (2.18), as a set that grows with its size
@@ -36,7 +37,8 @@ struct ProjectionDerivative {
 /// size = 0 is the set {0}. A negative or NaN or infinite size throws std::invalid_argument, a force or
 /// velocity that is not finite std::domain_error.
 template <class D>
-concept FrictionDomain = requires(const D& domain, double size, const Eigen::Matrix<double, D::dimension, 1>& x,
+concept FrictionDomain = requires(const D& domain, double size,
+                                  const Eigen::Matrix<double, D::dimension, 1>& x,
                                   const Projection<D::dimension>& q) {
   { domain.support(size, x) } -> std::same_as<double>;
   { domain.gauge(x) } -> std::same_as<double>;

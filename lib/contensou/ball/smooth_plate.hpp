@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contensou/ball/border_nodes.hpp"
 #include "contensou/ball/bracketed_newton.hpp"
 #include "contensou/ball/plate.hpp"
 #include "contensou/law/approximations.hpp"
@@ -19,20 +20,24 @@ namespace contensou {
 /// Projection: with the border point x(u) and the normal (u, 1), the point p looked for is where
 ///   F(u) = (p_t − ξ) − (p_τ − η) u = 0,   F' = −[(1 + u²) f'' + (p_τ − η)],
 /// and, for u > 1, with w = 1/u in place of u and the two components exchanged. Of the
-/// solutions in the quarter plane none but the projection has a point p outside (the plate holds the box under
-/// each of its border points), and p is inside if it lies in the box under any border point. So one bracketed
-/// Newton iteration finds the projection or that there is nothing to project. Poles, equator and the seam
-/// u = 1 need no special care: u, w and 1 − u are as accurate as doubles are, F is exact to rounding.
+/// solutions in the quarter plane none but the projection has a point p outside (the plate holds the box
+/// under each of its border points), and p is inside if it lies in the box under any border point. So one
+/// bracketed iteration finds the projection or that there is nothing to project. Stored border points give
+/// the bracket and a start so good that mostly three evaluations of the law do; it ends when F is as good as
+/// its rounding. Poles, equator and the seam u = 1 need no special care: u, w and 1 − u are as accurate as
+/// doubles are.
 ///
 /// Accuracy: border point and normal belong together to the accuracy of the law; the part of p − x across the
-/// normal is at most 4 ulp of the largest of p and the size.
+/// normal is at most 4 ulp of the largest of p and the size (of as much more as f''(u) exceeds 8 at the seam:
+/// what a neighbouring double u moves the border).
 template <FrictionLaw L>
 class SmoothPlate {
  public:
+  /// Evaluates the law some 130 times.
   explicit SmoothPlate(L law);
 
   const L& law() const { return law_; }
-  Extent extent() const { return extent_; }
+  Extent extent() const { return law_.extent(); }
   double support(double v, double s) const { return v == 0 && s == 0 ? 0 : potential(law_, v, s); }
   Friction border(double v, double s) const { return law_.at(v, s); }
   PlateRay ray(double t, double tau) const;
@@ -40,26 +45,33 @@ class SmoothPlate {
   double curvature_radius(const PlateProjection& q) const;
 
  private:
-  /// Which half of the border, and its variable x in [0, 1]: u = v/s (inner) or w = s/v (outer).
-  struct Normal {
-    bool inner;
-    double x;
-    Meridian direction() const { return inner ? Meridian{x, 1} : Meridian{1, x}; }
-  };
-  Friction at(Normal n) const { return n.inner ? law_.at(n.x, 1) : law_.at(1, n.x); }
-  /// f''(u) inside, u³f''(u) outside: how fast the border turns.
-  double second(Normal n) const {
-    return n.inner ? law_.curvature(n.x, 1).vv : law_.curvature(1, n.x).ss;
+  // F and what else is found zero is taken to be so at this part of its largest term: the rounding of its
+  // three.
+  static constexpr double rounding = 0x1p-51;
+
+  /// A point of the half that goes with `inner`: components along the normal's 1 and across.
+  BorderNode at(bool inner, double x) const {
+    const Friction b = inner ? law_.at(x, 1) : law_.at(1, x);
+    return inner ? BorderNode{x, b.xi, b.eta, 0} : BorderNode{x, b.eta, b.xi, 0};
   }
-  PlateProjection finish(Meridian p, double size, Meridian scaled, double scaled_size, Normal normal,
-                         int iterations) const;
+  /// f''(u) inside, u³f''(u) outside: how fast the border turns.
+  double second(bool inner, double x) const {
+    return inner ? law_.curvature(x, 1).vv : law_.curvature(1, x).ss;
+  }
+  BorderNodes nodes(bool inner) const {
+    return BorderNodes([this, inner](double x) {
+      BorderNode node = at(inner, x);
+      node.second = second(inner, x);
+      return node;
+    });
+  }
+  static Meridian direction(bool inner, double x) { return inner ? Meridian{x, 1} : Meridian{1, x}; }
+  static PlateProjection finish(Meridian p, double size, bool inner, const BorderNode& border,
+                                int iterations);
 
   L law_;
-  Extent extent_;
-  Friction seam_;        ///< at u = 1
-  double second_pole_;   ///< f''(0)
-  double second_seam_;   ///< f''(1)
-  double second_equator_;  ///< u³ f''(u) at u = ∞
+  BorderNodes inner_;
+  BorderNodes outer_;
 };
 
 namespace detail {
@@ -68,123 +80,101 @@ inline PlateProjection inside_plate(Meridian p, int iterations) {
   return {p, {0, 0}, 0, 0, iterations, true};
 }
 
-/// Where h(x), known with its derivative −fall at 0 and at 1, is zero: the inverse function's Hermite cubic,
-/// or the secant where that is no use. h0 > 0 >= h1. In (0, 1], with the relative accuracy of h0 for small h0.
-inline double guess_root(double h0, double fall0, double h1, double fall1) {
-  const double drop = h0 - h1;
-  const double q = h0 / drop;  // how far down, 0 to 1
-  double x = q;
-  if (fall0 > 0 && fall1 > 0 && std::isfinite(fall1)) {
-    const double a = drop / fall0;  // dx/dq at both ends
-    const double b = drop / fall1;
-    const double cubic = q * (a + q * (3 - 2 * a - b + q * (a + b - 2)));
-    if (cubic > 0 && cubic <= 1) x = cubic;
-  }
-  return x;
-}
-
 }  // namespace detail
 
 template <FrictionLaw L>
-SmoothPlate<L>::SmoothPlate(L law)
-    : law_(std::move(law)),
-      extent_(law_.extent()),
-      seam_(law_.at(1, 1)),
-      second_pole_(law_.curvature(0, 1).vv),
-      second_seam_(law_.curvature(1, 1).vv),
-      second_equator_(law_.curvature(1, 0).ss) {}
+SmoothPlate<L>::SmoothPlate(L law) : law_(std::move(law)), inner_(nodes(true)), outer_(nodes(false)) {}
 
 template <FrictionLaw L>
 PlateRay SmoothPlate<L>::ray(double t, double tau) const {
-  if (t == 0) return {tau / extent_.eta, {0, 1}, 0};
-  if (tau == 0) return {t / extent_.xi, {1, 0}, 0};
-  int exponent = 0;
-  std::frexp(std::max(t, tau), &exponent);
-  const double a = std::ldexp(t, -exponent);
-  const double b = std::ldexp(tau, -exponent);
-  // h = a η − b ξ falls with u from a η_max to −b ξ_max.
-  const double at_seam = a * seam_.eta - b * seam_.xi;
-  const bool inner = at_seam <= 0;
-  const double guess =
-      inner ? detail::guess_root(a * extent_.eta, second_pole_ * b, at_seam, second_seam_ * (a + b))
-            : detail::guess_root(b * extent_.xi, second_equator_ * a, -at_seam, second_seam_ * (a + b));
-  Friction x{};
-  const NewtonEnd end = bracketed_newton(guess, [&](double ratio) {
-    const Normal normal{inner, ratio};
-    x = at(normal);
-    const double h = a * x.eta - b * x.xi;
-    return NewtonStep{inner ? h : -h, second(normal) * (inner ? b + a * ratio : a + b * ratio), false};
+  if (t == 0) return {tau / extent().eta, {0, 1}, 0};
+  if (tau == 0) return {t / extent().xi, {1, 0}, 0};
+  // t η − τ ξ falls with u from t η_max to −τ ξ_max.
+  const BorderNode& seam = inner_.back();
+  const bool inner = t * seam.along <= tau * seam.across;
+  const BorderNodes& nodes = inner ? inner_ : outer_;
+  const double a = inner ? t : tau;
+  const double b = inner ? tau : t;
+  const auto value = [=](const BorderNode& n) { return a * n.along - b * n.across; };
+  const auto fall = [=](const BorderNode& n) { return n.second * (b + a * n.x); };
+  const auto [left, right] = nodes.cell([&](const BorderNode& n) { return value(n) > 0; });
+  const Start start =
+      start_in_cell(left.x, right.x - left.x, value(left), fall(left), value(right), fall(right));
+  SecantSlope slope(start.fall);
+  BorderNode border{};
+  const NewtonEnd end = bracketed_newton({left.x, right.x}, start.x, [&](double x) {
+    border = at(inner, x);
+    const double h = value(border);
+    if (std::abs(h) <= rounding * a * border.along) return NewtonStep{h, 0, true};
+    return NewtonStep{h, slope.at(x, h), false};
   });
-  const Normal normal{inner, end.x};
-  x = at(normal);
-  return {a * x.eta > b * x.xi || x.eta == 0 ? t / x.xi : tau / x.eta, normal.direction(),
-          end.iterations + 1};
+  // The gauge is the largest of p·n/support(n) over all normals n: an error of n counts with its square.
+  const double gauge = (a * border.x + b) / (border.across * border.x + border.along);
+  return {gauge, direction(inner, border.x), end.iterations};
 }
 
 template <FrictionLaw L>
 PlateProjection SmoothPlate<L>::project(Meridian p, double size) const {
-  // A point within the two chords pole – seam – equator is inside.
-  const auto chords = [&](double t, double tau) {
-    return t <= seam_.xi ? tau <= extent_.eta - (extent_.eta - seam_.eta) / seam_.xi * t
-                         : tau <= seam_.eta / (extent_.xi - seam_.xi) * (extent_.xi - t);
-  };
-  if (chords(p.t / size, p.tau / size)) return detail::inside_plate(p, 0);
-
-  // Outside or near the border. Far from the ends of the range nothing is scaled.
-  constexpr double large = 0x1p500;
-  const double largest = std::max(p.t, p.tau);
-  double a = p.t;
-  double b = p.tau;
-  double m = size;
-  if (!(largest < large && size > 1 / large)) {
-    int exponent = 0;
-    std::frexp(largest, &exponent);
-    a = std::ldexp(a, -exponent);
-    b = std::ldexp(b, -exponent);
-    m = std::ldexp(m, -exponent);
-  }
-  if (p.t == 0) return b <= m * extent_.eta ? detail::inside_plate(p, 0) : finish(p, size, {a, b}, m, {true, 0}, 0);
-  if (p.tau == 0) return a <= m * extent_.xi ? detail::inside_plate(p, 0) : finish(p, size, {a, b}, m, {false, 0}, 0);
-
-  const double seam_t = a - m * seam_.xi;
-  const double seam_tau = b - m * seam_.eta;
+  const BorderNode& seam = inner_.back();
+  const double seam_t = p.t - size * seam.across;
+  const double seam_tau = p.tau - size * seam.along;
+  if (seam_t <= 0 && seam_tau <= 0) return detail::inside_plate(p, 0);
   const bool inner = seam_t <= seam_tau;
-  const double turn = 2 * m * second_seam_;
-  const double guess =
-      inner ? detail::guess_root(a, m * second_pole_ + (b - m * extent_.eta), seam_t - seam_tau, turn + seam_tau)
-            : detail::guess_root(b, m * second_equator_ + (a - m * extent_.xi), seam_tau - seam_t, turn + seam_t);
-  // So near to a pole or the equator that u (or w) is as good as zero: p_t itself is, beside p_τ.
-  constexpr double negligible = 0x1p-1000;
-  if (guess < negligible) return finish(p, size, {a, b}, m, {inner, guess}, 0);
-  const NewtonEnd end = bracketed_newton(guess, [&](double ratio) {
-    const Normal normal{inner, ratio};
-    const Friction x = at(normal);
-    const double t = a - m * x.xi;
-    const double tau = b - m * x.eta;
-    if (t <= 0 && tau <= 0) return NewtonStep{0, 0, true};
-    const double along = inner ? tau : t;
-    const double across = inner ? t : tau;
-    return NewtonStep{across - along * ratio, m * (1 + ratio * ratio) * second(normal) + along, false};
+  const BorderNodes& nodes = inner ? inner_ : outer_;
+  const double a = inner ? p.t : p.tau;
+  const double b = inner ? p.tau : p.t;
+  if (a == 0) return finish(p, size, inner, nodes.front(), 0);
+
+  const auto value = [=](const BorderNode& n) { return a - size * n.across - (b - size * n.along) * n.x; };
+  const auto fall = [=](const BorderNode& n) {
+    return size * (1 + n.x * n.x) * n.second + (b - size * n.along);
+  };
+  bool in_box = false;
+  const auto [left, right] = nodes.cell([&](const BorderNode& n) {
+    in_box |= a <= size * n.across && b <= size * n.along;
+    return value(n) > 0;
   });
-  if (end.stopped) return detail::inside_plate(p, end.iterations);
-  return finish(p, size, {a, b}, m, {inner, end.x}, end.iterations);
+  if (in_box) return detail::inside_plate(p, 0);
+  // Under the chord of the cell, and beside neither of its ends.
+  const double right_of_left = a - size * left.across;
+  const double above_right = b - size * right.along;
+  if (b <= size * left.along && a <= size * right.across &&
+      right_of_left * (left.along - right.along) + above_right * (right.across - left.across) <=
+          size * (right.across - left.across) * (left.along - right.along)) {
+    return detail::inside_plate(p, 0);
+  }
+  const Start start =
+      start_in_cell(left.x, right.x - left.x, value(left), fall(left), value(right), fall(right));
+  // So near to a pole or the equator everything is linear, and the start is the root.
+  constexpr double linear = 0x1p-300;
+  if (start.x < linear) return finish(p, size, inner, at(inner, start.x), 1);
+
+  SecantSlope slope(start.fall);
+  BorderNode border{};
+  const double largest = rounding * std::max(b, size);
+  const NewtonEnd end = bracketed_newton({left.x, right.x}, start.x, [&](double x) {
+    border = at(inner, x);
+    const double f = value(border);
+    if (std::abs(f) <= std::max(rounding * a, largest * x)) return NewtonStep{f, 0, true};
+    if (a <= size * border.across && b <= size * border.along) return NewtonStep{f, 0, true};
+    return NewtonStep{f, slope.at(x, f), false};
+  });
+  return finish(p, size, inner, border, end.iterations);
 }
 
-/// The projection whose normal is known; `scaled` and `scaled_size` are p and size over a common power of two.
+/// The projection whose border point is known, or that there is nothing to project.
 template <FrictionLaw L>
-PlateProjection SmoothPlate<L>::finish(Meridian p, double size, Meridian scaled, double scaled_size,
-                                       Normal normal, int iterations) const {
-  const Friction x = at(normal);
-  const double t = scaled.t - scaled_size * x.xi;
-  const double tau = scaled.tau - scaled_size * x.eta;
-  const double along = normal.inner ? tau : t;
-  const double across = normal.inner ? t : tau;
-  const double length = std::sqrt(1 + normal.x * normal.x);
-  const double distance = (along + across * normal.x) / length;
-  if (!(distance > 0)) return detail::inside_plate(p, iterations + 1);  // on the border, but for rounding
-  const double back = scaled.t >= scaled.tau ? p.t / scaled.t : p.tau / scaled.tau;
-  return {{size * x.xi, size * x.eta}, normal.direction(), distance * back,
-          std::abs(across - along * normal.x) / length * back, iterations + 1, false};
+PlateProjection SmoothPlate<L>::finish(Meridian p, double size, bool inner, const BorderNode& border,
+                                       int iterations) {
+  const double across = (inner ? p.t : p.tau) - size * border.across;
+  const double along = (inner ? p.tau : p.t) - size * border.along;
+  const double length = std::sqrt(1 + border.x * border.x);
+  const double distance = (along + across * border.x) / length;
+  if (!(distance > 0)) return detail::inside_plate(p, iterations);
+  const double residual = std::abs(across - along * border.x) / length;
+  const Meridian point = inner ? Meridian{size * border.across, size * border.along}
+                               : Meridian{size * border.along, size * border.across};
+  return {point, direction(inner, border.x), distance, residual, iterations, false};
 }
 
 template <FrictionLaw L>
@@ -192,7 +182,7 @@ double SmoothPlate<L>::curvature_radius(const PlateProjection& q) const {
   const bool inner = q.direction.tau == 1;
   const double x = inner ? q.direction.t : q.direction.tau;
   const double square = 1 + x * x;
-  return second({inner, x}) * square * std::sqrt(square);
+  return second(inner, x) * square * std::sqrt(square);
 }
 
 extern template class SmoothPlate<UniformLaw>;

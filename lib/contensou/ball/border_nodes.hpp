@@ -1,0 +1,93 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "contensou/ball/bracketed_newton.hpp"
+
+namespace contensou {
+
+/// A point of one half of a smooth border: from the pole to the seam by x = u, the normal (x, 1), or from the
+/// equator to the seam by x = w = 1/u, the normal (1, x).
+struct BorderNode {
+  double x;       ///< 0 to 1
+  double across;  ///< the component that grows with x: ξ from the pole, η from the equator
+  double along;   ///< the other one
+  double second;  ///< d across/dx: f''(u), u³f''(u)
+};
+
+/// Nodes on one half of a border, denser towards the seam, where borders are least smooth: from them Newton's
+/// iteration starts so near to the root that one or two steps remain.
+class BorderNodes {
+ public:
+  /// `node(x)` gives a BorderNode.
+  template <class Function>
+  explicit BorderNodes(const Function& node) {
+    for (std::size_t i = 0; i <= cells; ++i) {
+      const double rest = static_cast<double>(cells - i) / cells;
+      nodes_[i] = node(1 - rest * rest);
+    }
+  }
+
+  const BorderNode& front() const { return nodes_.front(); }
+  const BorderNode& back() const { return nodes_.back(); }
+
+  /// A cell of nodes: the left and the right one.
+  struct Cell {
+    const BorderNode& left;
+    const BorderNode& right;
+  };
+  /// The last cell whose left node is `before` what is looked for, where that is so for all nodes left of
+  /// it and for none right of it.
+  template <class Predicate>
+  Cell cell(const Predicate& before) const {
+    // Counting, in two rounds, has no branches to predict.
+    std::size_t k = 0;
+    for (std::size_t i = stride; i < cells; i += stride) k += before(nodes_[i]) ? stride : 0;
+    std::size_t within = 0;
+    for (std::size_t i = 1; i < stride; ++i) within += before(nodes_[k + i]) ? 1 : 0;
+    return {nodes_[k + within], nodes_[k + within + 1]};
+  }
+
+ private:
+  static constexpr std::size_t stride = 8;
+  static constexpr std::size_t cells = stride * stride;
+  std::array<BorderNode, cells + 1> nodes_;
+};
+
+/// Where a function is zero in a cell, nearly, and minus its derivative there.
+struct Start {
+  double x;
+  double fall;
+};
+
+/// From a function's values h and derivatives −fall at both ends of the cell [x, x + width]; h0 > 0 >= h1.
+inline Start start_in_cell(double x, double width, double h0, double fall0, double h1, double fall1) {
+  const double a = fall0 * width;
+  const double b = fall1 * width;
+  const double t = inverse_cubic(h0, a, h1, b);
+  const double fall = 6 * t * (1 - t) * (h0 - h1) + a * (1 - t * (4 - 3 * t)) + b * t * (3 * t - 2);
+  return {x + width * t, fall / width};
+}
+
+/// Slopes for Newton's method from values alone: the one given at first, then the secant's.
+class SecantSlope {
+ public:
+  explicit SecantSlope(double fall) : fall_(fall) {}
+  /// Minus the derivative at x, where the function is `value`.
+  double at(double x, double value) {
+    if (known_) fall_ = (value_ - value) / (x - x_);
+    known_ = true;
+    x_ = x;
+    value_ = value;
+    return fall_;
+  }
+
+ private:
+  double fall_;
+  double x_ = 0;
+  double value_ = 0;
+  bool known_ = false;
+};
+
+}  // namespace contensou

@@ -1,0 +1,7 @@
+#include "contensou/ball/tabulated_plate.hpp"
+
+namespace contensou {
+
+template class SmoothPlate<TabulatedLaw>;
+
+}  // namespace contensou
