@@ -1,0 +1,176 @@
+#include "contensou/contact/one_contact.hpp"
+
+#include <Eigen/LU>
+#include <cmath>
+
+#include "contensou/contact/reduced_contact.hpp"
+#include "contensou/contact/slip_search.hpp"
+
+namespace contensou {
+namespace {
+
+template <class Domain>
+using FrictionVector = Eigen::Matrix<double, Domain::dimension, 1>;
+
+/// A residual that rounding may leave: the search is not repeated for less.
+constexpr double rounding = 1e-13;
+
+template <class Domain>
+class OneContact {
+ public:
+  static constexpr int dimension = Domain::dimension;
+  using Vector = ContactVector<Domain>;
+  using Matrix = ContactMatrix<Domain>;
+  using Friction = FrictionVector<Domain>;
+  using Solution = OneContactSolution<Domain>;
+
+  OneContact(const Domain& domain, double mu, const Matrix& w, const Vector& b)
+      : domain_(domain), w_(w), b_(b), speed_(b.cwiseAbs().maxCoeff()), unit_(speed_ / w(0, 0)) {
+    const double scale = 1 / w(0, 0);
+    const Friction column = scale * w.template bottomLeftCorner<dimension, 1>();
+    const Friction row = scale * w.template topRightCorner<1, dimension>().transpose();
+    c_.a = scale * w.template bottomRightCorner<dimension, dimension>() - column * row.transpose();
+    c_.n0 = -b[0] / speed_;
+    c_.b = b.template tail<dimension>() / speed_ + column * c_.n0;
+    c_.g = -row;
+    c_.mu = mu;
+  }
+
+  Solution solve(const Vector& guess) const {
+    Solution stick = try_stick();
+    if (stick.residual <= rounding) return stick;
+    Solution slip = friction_is_weak() ? slide_along(c_.b) : search(guess);
+    return slip.residual < stick.residual ? slip : stick;
+  }
+
+ private:
+  Vector velocity(const Vector& impulse) const { return w_ * impulse + b_; }
+
+  Solution unsolved() const {
+    return {Vector::Zero(), ContactState::unsolved, 0, std::numeric_limits<double>::infinity()};
+  }
+
+  Vector impulse(double normal, const Friction& friction) const {
+    Vector z;
+    z << unit_ * normal, unit_ * friction;
+    return z;
+  }
+
+  Solution sticking(double normal, const Friction& friction, int iterations) const {
+    const Vector z = impulse(normal, friction);
+    return {z, ContactState::stick, iterations, velocity(z).norm() / speed_};
+  }
+
+  Solution slipping(double normal, const Friction& friction, const Friction& direction,
+                    int iterations) const {
+    const Vector z = impulse(normal, friction);
+    const Vector gamma = velocity(z) / speed_;
+    const Friction slip = gamma.template tail<dimension>();
+    const double along = std::max(0.0, slip.dot(direction));
+    return {z, ContactState::slip, iterations, std::hypot(gamma[0], (slip - along * direction).norm())};
+  }
+
+  /// Whether friction changes the direction of slip by less than rounding: also where μ = 0.
+  bool friction_is_weak() const {
+    const double largest = c_.mu * c_.n0 * row_sum_norm(c_.a);
+    return largest <= 0x1p-60 * c_.b.cwiseAbs().maxCoeff() || largest == 0;
+  }
+
+  Solution slide_along(const Friction& gamma) const {
+    const Friction direction = gamma.stableNormalized();
+    Friction unit = Friction::Zero();
+    if (c_.mu > 0) unit = border(direction);
+    const double normal = c_.n0 / (1 + c_.mu * c_.g.dot(unit));
+    if (!(normal > 0)) return unsolved();
+    return slipping(normal, -c_.mu * normal * unit, direction, 0);
+  }
+
+  Friction border(const Friction& direction) const {
+    if constexpr (dimension == 2) {
+      return direction;
+    } else {
+      return domain_.boundary_point(1, direction);
+    }
+  }
+
+  /// The friction that stops the contact, if the domain has it.
+  Solution try_stick() const {
+    Friction x;
+    if (c_.b.isZero(0)) {
+      x.setZero();
+    } else {
+      const detail::CramerPolynomials<dimension> polynomials(c_);
+      const auto [p, det] = polynomials.value(0, 0);
+      constexpr double regular = 1e-6;
+      if (det > regular * c_.a.diagonal().prod()) {
+        x = -p / det;
+      } else {
+        x = Eigen::FullPivLU<Eigen::Matrix<double, dimension, dimension>>(c_.a).solve(-c_.b);
+      }
+      x += correction(x);
+    }
+    const double normal = c_.normal(x);
+    if (!(normal > 0 && x.allFinite()) || !domain_.contains(x, friction_size(c_.mu, normal)))
+      return unsolved();
+    return sticking(normal, x, 0);
+  }
+
+  /// One step of iterative refinement.
+  Friction correction(const Friction&) const { return Friction::Zero(); }
+
+  Solution search(const Vector& guess) const {
+    Friction gamma = c_.b;
+    if (guess[0] > 0) {
+      const Friction warm = velocity(guess).template tail<dimension>() / speed_;
+      if (warm.squaredNorm() > 0) gamma = warm;
+    }
+    const auto end = detail::search_slip(domain_, c_, gamma);
+    if (!end.found) return unsolved();
+    if (end.sticks) return sticking(end.normal, end.friction, end.iterations);
+    return slipping(end.normal, end.friction, end.direction, end.iterations);
+  }
+
+  const Domain& domain_;
+  const Matrix& w_;
+  const Vector& b_;
+  double speed_;  ///< V
+  double unit_;   ///< V/W_NN
+  detail::ReducedContact<dimension> c_;
+};
+
+}  // namespace
+
+template <class Domain>
+OneContactSolution<Domain> solve_one_contact(const Domain& domain, double mu, const ContactMatrix<Domain>& w,
+                                             const ContactVector<Domain>& b,
+                                             const ContactVector<Domain>& guess) {
+  const ContactVector<Domain> zero = ContactVector<Domain>::Zero();
+  if (b[0] >= 0) return {zero, ContactState::open, 0, 0};
+  if (!(w(0, 0) > 0)) return {zero, ContactState::unsolved, 0, std::numeric_limits<double>::infinity()};
+  return OneContact<Domain>(domain, mu, w, b).solve(guess);
+}
+
+template <>
+OneContactSolution<NoFriction> solve_one_contact(const NoFriction&, double,
+                                                 const ContactMatrix<NoFriction>& w,
+                                                 const ContactVector<NoFriction>& b,
+                                                 const ContactVector<NoFriction>&) {
+  if (b[0] >= 0) return {ContactVector<NoFriction>::Zero(), ContactState::open, 0, 0};
+  const ContactVector<NoFriction> impulse(-b[0] / w(0, 0));
+  if (impulse[0] > 0 && std::isfinite(impulse[0])) return {impulse, ContactState::stick, 0, 0};
+  return {ContactVector<NoFriction>::Zero(), ContactState::unsolved, 0,
+          std::numeric_limits<double>::infinity()};
+}
+
+#define CONTENSOU_ONE_CONTACT(DOMAIN)                                                                        \
+  template OneContactSolution<DOMAIN> solve_one_contact(const DOMAIN&, double, const ContactMatrix<DOMAIN>&, \
+                                                        const ContactVector<DOMAIN>&,                        \
+                                                        const ContactVector<DOMAIN>&);
+CONTENSOU_ONE_CONTACT(FrictionDisk)
+CONTENSOU_ONE_CONTACT(FrictionBall<SmoothPlate<UniformLaw>>)
+CONTENSOU_ONE_CONTACT(FrictionBall<SmoothPlate<HertzLaw>>)
+CONTENSOU_ONE_CONTACT(FrictionBall<SmoothPlate<CompiledLaw>>)
+CONTENSOU_ONE_CONTACT(FrictionBall<SmoothPlate<EllipsoidLaw>>)
+#undef CONTENSOU_ONE_CONTACT
+
+}  // namespace contensou

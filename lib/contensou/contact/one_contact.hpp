@@ -1,0 +1,49 @@
+#pragma once
+
+#include "contensou/contact/blocks.hpp"
+
+namespace contensou {
+
+/// How a contact ends.
+enum class ContactState {
+  open,      ///< Λ = 0
+  stick,     ///< Λ_N > 0 and γ_F = 0 (or no friction rows)
+  slip,      ///< Λ_N > 0, Λ_F on the border of B(μΛ_N)
+  unsolved,  ///< no solution was found: on acceleration level there may be none (Painlevé's paradox)
+};
+
+template <class Domain>
+struct OneContactSolution {
+  ContactVector<Domain> impulse;
+  ContactState state;
+  int iterations;   ///< of the search for the slip direction; 0 in closed form
+  double residual;  ///< the largest error of γ in the laws that hold in this state, relative to max |b|
+};
+
+/// Solves the contact problem (contact_problem.hpp) of one contact: γ = WΛ + b, 0 <= γ_N ⊥ Λ_N >= 0,
+/// −γ_F ∈ N_B(μΛ_N)(Λ_F), with W = W_ii.
+///
+/// Where b_N >= 0, the contact opens: Λ = 0. Else Λ_N > 0, and γ_N = 0 gives it from Λ_F. The contact sticks
+/// if the Λ_F that stops it is within B(μΛ_N). If not, Λ_F is on the border and γ_F along the inward normal
+/// there: with γ_F = −σD(u)Λ_F, where the diagonal D(u) is that of the ellipsoid which touches the border
+/// where the slip ratio is u, (A + σD)Λ_F = −b' is linear, and what remains is one equation in σ for each u,
+/// and one in u (a disk has D = I and no u). Both are solved by bracketed Newton iterations. For W symmetric
+/// and positive definite both have a solution, whatever μ; W may also be singular, have entries of any size
+/// or be not symmetric, but then there need not be one.
+///
+/// `guess`: Λ to start from; zero for none. The solution, where unique, does not depend on it. Where the
+/// equations above do not lead to a residual of 1e-13 (a fold in σ, W not positive), a damped Newton
+/// iteration on the natural map (4.17) follows, and the better of both is returned. Bounded time, no memory
+/// allocated. All arguments finite, μ >= 0; not checked.
+template <class Domain>
+OneContactSolution<Domain> solve_one_contact(const Domain& domain, double mu, const ContactMatrix<Domain>& w,
+                                             const ContactVector<Domain>& b,
+                                             const ContactVector<Domain>& guess);
+
+template <>
+OneContactSolution<NoFriction> solve_one_contact(const NoFriction&, double mu,
+                                                 const ContactMatrix<NoFriction>& w,
+                                                 const ContactVector<NoFriction>& b,
+                                                 const ContactVector<NoFriction>& guess);
+
+}  // namespace contensou
