@@ -24,27 +24,33 @@ class Factor {
   /// ω for the step from Λ with velocity γ, the last step having come from previous_impulse.
   double propose(const ContactProblem& problem, const Eigen::VectorXd& impulse,
                  const ModifiedNewtonMemory& m) {
-    double square = 0;
+    double length = 0;
     double work = 0;
+    double response = 0;
     for_each_contact(problem, [&](const auto& group, Eigen::Index i) {
-      const auto change = group.segment(impulse, i) - group.segment(m.previous_impulse, i);
-      square += change.squaredNorm() / m.safe_step[group.first_contact + i];
-      work += change.dot(group.segment(m.velocity, i) - group.segment(m.previous_velocity, i));
+      const double s = m.safe_step[group.first_contact + i];
+      const auto change = (group.segment(impulse, i) - group.segment(m.previous_impulse, i)).eval();
+      const auto answer = (group.segment(m.velocity, i) - group.segment(m.previous_velocity, i)).eval();
+      length += change.squaredNorm() / s;
+      work += change.dot(answer);
+      response += answer.squaredNorm() * s;
     });
-    const double factor = work > 0 && square > 0 ? square / work : 1;
-    return std::min(std::isfinite(factor) ? factor : 1, bound_);
+    long_ = !long_;
+    const double factor = long_ ? length / work : work / response;
+    return std::min(work > 0 && std::isfinite(factor) && factor > 0 ? factor : 1, bound_);
   }
   /// For the first step from a new place.
   double first() const { return std::min(1.0, bound_); }
   void found_better() { bound_ = std::min(1.1 * bound_, largest_factor); }
   /// False where nothing smaller is left to try.
   bool reduce() {
-    bound_ = std::min(bound_, 10.0) / 2;
+    bound_ /= 10;
     return bound_ >= smallest_factor;
   }
 
  private:
   double bound_ = largest_factor;
+  bool long_ = false;
 };
 
 /// Λ ← Π(Λ − rγ), contact by contact; r(contact) [kg]. False where the argument is not finite.

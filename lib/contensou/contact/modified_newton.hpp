@@ -35,12 +35,12 @@ void safe_steps(const ContactProblem& problem, Eigen::VectorXd& step);
 /// above, it cycles (`stalled`) or grows (`diverged`). A row whose W is small beside λ_max, as is that of Λ_τ
 /// with R², takes a number of iterations that is larger in proportion.
 ///
-/// Not given: r_i = ω s_i with safe_steps and the same ω for all contacts, from the last step's curvature
-/// (Barzilai and Borwein): ω = ΔΛᵀS⁻¹ΔΛ/ΔΛᵀWΔΛ, >= 1 for symmetric W. It has no guarantee to descend, so the
-/// residual is watched. Where 200 iterations bring no better one, ω is bounded, first by 5, then by half as
-/// much each time, in the end below one; where it exceeds the best a thousandfold, the iteration also returns
-/// to the best impulses. Each better residual raises the bound by a tenth. With friction that follows Λ_N the
-/// problem is no minimisation, and convergence is then not proven for any r.
+/// Not given: r_i = ω s_i with safe_steps and the same ω for all contacts, from the curvature met in the last
+/// step (Barzilai and Borwein): ω = ΔΛᵀS⁻¹ΔΛ/ΔΛᵀΔγ and ω = ΔΛᵀΔγ/ΔγᵀSΔγ in turn, both >= 1 for symmetric W.
+/// It has no guarantee to descend, so the residual is watched. Where 200 iterations bring no better one, ω is
+/// held below a tenth of the bound before, in the end below one; where it exceeds the best a thousandfold,
+/// the iteration also returns to the best impulses. Each better residual raises the bound by a tenth. With
+/// friction that follows Λ_N the problem is no minimisation, and convergence is then not proven for any r.
 ///
 /// At most 20000 iterations unless limited otherwise; `stalled` after 2000 without a residual lower by 1e-6
 /// of itself, or where rounding leaves nothing to change. Of all impulses met, the best are returned.
