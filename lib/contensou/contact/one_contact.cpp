@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "contensou/contact/natural_newton.hpp"
 #include "contensou/contact/reduced_contact.hpp"
 #include "contensou/contact/slip_search.hpp"
 
@@ -34,13 +35,15 @@ class OneContact {
     c_.b = b.template tail<dimension>() / speed_ + column * c_.n0;
     c_.g = -row;
     c_.mu = mu;
+    regularise(scale * w.diagonal().template tail<dimension>());
   }
 
   Solution solve(const Vector& guess) const {
     Solution stick = try_stick();
     if (stick.residual <= rounding) return stick;
     Solution slip = friction_is_weak() ? slide_along(c_.b) : search(guess);
-    return slip.residual < stick.residual ? slip : stick;
+    Solution best = slip.residual < stick.residual ? slip : stick;
+    return best.residual <= rounding ? best : polished(best);
   }
 
  private:
@@ -70,6 +73,18 @@ class OneContact {
     return {z, ContactState::slip, iterations, std::hypot(gamma[0], (slip - along * direction).norm())};
   }
 
+  Solution polished(Solution solution) const {
+    Vector z = solution.impulse;
+    if (solution.state == ContactState::unsolved) z = impulse(c_.n0, Friction::Zero());
+    const double residual =
+        detail::polish(domain_, c_.mu, w_, b_, rounding * speed_, z, solution.iterations) / speed_;
+    if (!(residual < solution.residual && z[0] > 0)) return solution;
+    if (solution.state == ContactState::unsolved) solution.state = ContactState::slip;
+    solution.impulse = z;
+    solution.residual = residual;
+    return solution;
+  }
+
   /// Whether friction changes the direction of slip by less than rounding: also where μ = 0.
   bool friction_is_weak() const {
     const double largest = c_.mu * c_.n0 * row_sum_norm(c_.a);
@@ -93,30 +108,31 @@ class OneContact {
     }
   }
 
+  /// A singular or nearly singular a is rounding in some direction, and as likely as not negative there. A
+  /// compliance that moves the contact by less than the tolerance makes it positive definite again.
+  void regularise(const Friction& diagonal) {
+    constexpr double singular = 1e-9;
+    constexpr double compliance = 0x1p-45;
+    if (!(c_.a.determinant() > singular * diagonal.prod())) c_.a.diagonal() += compliance * diagonal;
+  }
+
   /// The friction that stops the contact, if the domain has it.
   Solution try_stick() const {
-    Friction x;
-    if (c_.b.isZero(0)) {
-      x.setZero();
-    } else {
-      const detail::CramerPolynomials<dimension> polynomials(c_);
-      const auto [p, det] = polynomials.value(0, 0);
-      constexpr double regular = 1e-6;
-      if (det > regular * c_.a.diagonal().prod()) {
-        x = -p / det;
-      } else {
-        x = Eigen::FullPivLU<Eigen::Matrix<double, dimension, dimension>>(c_.a).solve(-c_.b);
-      }
-      x += correction(x);
-    }
+    Friction x = Friction::Zero();
+    if (!c_.b.isZero(0)) x = -solve_a(c_.b);
     const double normal = c_.normal(x);
     if (!(normal > 0 && x.allFinite()) || !domain_.contains(x, friction_size(c_.mu, normal)))
       return unsolved();
     return sticking(normal, x, 0);
   }
 
-  /// One step of iterative refinement.
-  Friction correction(const Friction&) const { return Friction::Zero(); }
+  Friction solve_a(const Friction& y) const {
+    // Cramer's rule loses what the determinant does.
+    constexpr double regular = 1e-2;
+    const auto [p, det] = detail::CramerPolynomials<dimension>(c_).value(0, 0);
+    if (det > regular * c_.a.diagonal().prod()) return p / det;
+    return Eigen::FullPivLU<Eigen::Matrix<double, dimension, dimension>>(c_.a).setThreshold(0.0).solve(y);
+  }
 
   Solution search(const Vector& guess) const {
     Friction gamma = c_.b;

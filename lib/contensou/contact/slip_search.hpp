@@ -124,7 +124,7 @@ typename Secular<dimension>::Root Secular<dimension>::solve(const Ellipsoid& e, 
       } else {
         next = high > 4 * low ? std::sqrt(low) * std::sqrt(high) : low + (high - low) / 2;
       }
-      if (high - low <= 0x1p-52 * high) {
+      if (std::isfinite(high) && high - low <= 0x1p-52 * high) {
         root.found = true;
         return root;
       }

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <Eigen/LU>
+
+#include "contensou/contact/blocks.hpp"
+
+namespace contensou::detail {
+
+/// Newton's method on one contact's natural map Λ − Π(Λ − rγ) = 0, LG03 (4.17), with a line search on its norm:
+/// for the last digits, and for contacts that the equations of slip_search.hpp do not cover. Improves `impulse`
+/// as far as it can and returns the map's residual ‖Λ − Π‖/r, a velocity.
+template <class Domain>
+double polish(const Domain& domain, double mu, const ContactMatrix<Domain>& w, const ContactVector<Domain>& b,
+              double goal, ContactVector<Domain>& impulse, int& iterations) {
+  using Vector = ContactVector<Domain>;
+  using Matrix = ContactMatrix<Domain>;
+  constexpr int most_iterations = 40;
+  constexpr double least_step = 0x1p-8;
+  constexpr double least_fall = 0x1p-10;
+  const double r = 1 / row_sum_norm(w);
+  const auto argument = [&](const Vector& z) -> Vector { return z - r * (w * z + b); };
+  Vector x = argument(impulse);
+  Matrix jacobian;
+  Vector rest = impulse - project_contact(domain, mu, x, jacobian);
+  for (int i = 0; i < most_iterations && rest.norm() > r * goal; ++i) {
+    const Matrix system = Matrix::Identity() - jacobian * (Matrix::Identity() - r * w);
+    const Vector step = -Eigen::FullPivLU<Matrix>(system).solve(rest);
+    if (!step.allFinite()) break;
+    double t = 1;
+    Vector next_rest;
+    Vector next;
+    for (;; t /= 2) {
+      next = impulse + t * step;
+      x = argument(next);
+      next_rest = next - project_contact(domain, mu, x, jacobian);
+      if (next_rest.norm() < (1 - least_fall * t) * rest.norm() || t < least_step) break;
+    }
+    ++iterations;
+    if (t < least_step) break;
+    impulse = next;
+    rest = next_rest;
+  }
+  return rest.norm() / r;
+}
+
+}  // namespace contensou::detail
