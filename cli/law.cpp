@@ -4,9 +4,8 @@
 
 #include <iostream>
 #include <memory>
-#include <optional>
-#include <sstream>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -14,6 +13,7 @@
 #include "contensou/law/catalogue.hpp"
 #include "contensou/output/table.hpp"
 #include "numbers.hpp"
+#include "options.hpp"
 #include "output.hpp"
 #include "subcommand.hpp"
 
@@ -51,13 +51,11 @@ constexpr const char* examples =
 constexpr const char* expected_u = "u = |v|/(|omega| R), a number >= 0 or inf";
 
 struct LawOptions {
-  std::string pressure;
-  std::string model = "exact";
+  LawChoice law;
   std::vector<std::string> u;
-  std::optional<std::string> out;
 };
 
-double to_slip_ratio(const std::string& text, const std::string& source) {
+double to_slip_ratio(std::string_view text, const std::string& source) {
   const double u = to_number(text, source, expected_u);
   if (u < 0) throw BadInput(source + ": " + in_quotes(text) + " is negative; expected " + expected_u);
   return u;
@@ -73,31 +71,13 @@ std::vector<double> slip_ratios(const std::vector<std::string>& arguments) {
 
   if (isatty(STDIN_FILENO) != 0)
     std::cerr << "contensou law: reading u from the keyboard, one a line; Ctrl-D ends\n";
-  for (const Line& line : data_lines(std::cin, "standard input", "one u a line, a number >= 0 or inf")) {
-    values.push_back(to_slip_ratio(line.text, line.source));
-  }
+  for_each_data_line(std::cin, "standard input", "one u a line, a number >= 0 or inf",
+                     [&](const Line& line) { values.push_back(to_slip_ratio(line.text, line.source)); });
   return values;
 }
 
-/// The law asked for; says which of the two options is to blame if there is none.
-contensou::AnyLaw chosen_law(const LawOptions& options) {
-  const auto blame = [](const char* option, const std::exception& error) {
-    return BadInput(std::string(option) + ": " + error.what());
-  };
-  try {
-    contensou::pressure_exponent(options.pressure);
-  } catch (const std::invalid_argument& error) {
-    throw blame("--pressure", error);
-  }
-  try {
-    return contensou::make_law(options.pressure, options.model);
-  } catch (const std::invalid_argument& error) {
-    throw blame("--model", error);
-  }
-}
-
 /// The equations of the paper behind a law.
-std::string equations(const LawOptions& options) {
+std::string equations(const LawChoice& options) {
   const double n = contensou::pressure_exponent(options.pressure);
   if (options.model == "printed" && n == 0.5) {
     return "to the letter of LG03 (3.17), (3.18), which lose all digits of eta by u = 1e4, of xi by u = 1e8";
@@ -110,21 +90,12 @@ std::string equations(const LawOptions& options) {
   return "sigma ~ (1 - rho^2/R^2)^" + contensou::to_text(n) + ", LG03 (2.1) integrated";
 }
 
-std::string indented(const std::string& lines) {
-  std::string text;
-  std::istringstream in(lines);
-  for (std::string line; std::getline(in, line);) text += "  " + line + '\n';
-  return text;
-}
-
 void run(const LawOptions& options) {
-  const contensou::AnyLaw law = chosen_law(options);
+  const contensou::AnyLaw law = chosen(options.law, contensou::make_law);
   const std::vector<double> values = slip_ratios(options.u);
 
   contensou::Table table;
-  table.comments = {"contensou law --pressure " + options.pressure + " --model " + options.model +
-                        ", version " CONTENSOU_VERSION,
-                    "law: " + equations(options),
+  table.comments = {made_by("law", options.law), "law: " + equations(options.law),
                     "u = |v|/(|omega| R); phi = Phi/(mu lambda_N sqrt(v^2 + (omega R)^2)), LG03 (2.1)",
                     "xi = |lambda_T|/(mu lambda_N), eta = |lambda_tau|/(mu lambda_N) = |tau_N|/(mu lambda_N "
                     "R), LG03 (3.20)"};
@@ -140,7 +111,7 @@ void run(const LawOptions& options) {
         }
       },
       law);
-  deliver(table, options.out);
+  deliver(table, options.law.out);
 }
 
 }  // namespace
@@ -149,18 +120,11 @@ void add_law(CLI::App& program) {
   CLI::App* law = program.add_subcommand("law", description);
 
   const auto options = std::make_shared<LawOptions>();
-  law->add_option("--pressure", options->pressure,
-                  "How the pressure sigma falls off towards the rim: one of\nthose below")
-      ->required()
-      ->option_text("P");
-  law->add_option("--model", options->model, "exact (if not given), or one of those below")->option_text("M");
-  law->add_option("--out", options->out, "Write to FILE, all or nothing, instead of to standard\noutput")
-      ->option_text("FILE");
+  add_law_choice(*law, options->law);
   law->add_option("U", options->u,
                   "Values of u, each in [0, inf]; where none is given, one\na line from standard input")
       ->option_text("...");
-  law->footer("Pressures:\n" + indented(contensou::pressure_help()) + "\nModels:\n" +
-              indented(contensou::model_help()) + '\n' + examples);
+  law->footer(list_of_choices(contensou::model_help()) + examples);
   law->callback([options] { run(*options); });
 }
 

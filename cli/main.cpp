@@ -33,10 +33,14 @@ std::string on_one_line(std::string text) {
 
 /// What is wrong with an argument that nothing on the command line takes.
 std::string explain_stray(const CLI::App& program, const std::string& stray, const std::string& help) {
-  if (cli::is_number(stray))
+  const auto subcommands = program.get_subcommands();
+  if (cli::is_number(stray) && !subcommands.empty()) {
+    if (subcommands.front()->get_option_no_throw("U") == nullptr)
+      return "argument " + in_quotes(stray) + " was not expected" + help;
     return "argument " + in_quotes(stray) + " is negative or NaN; expected a number >= 0 or inf";
+  }
   if (stray.starts_with('-')) return in_quotes(stray) + " is not an option" + help;
-  if (!program.get_subcommands().empty()) return in_quotes(stray) + " was not expected" + help;
+  if (!subcommands.empty()) return in_quotes(stray) + " was not expected" + help;
   std::string names;
   for (const CLI::App* subcommand : program.get_subcommands({})) names += ' ' + subcommand->get_name();
   return in_quotes(stray) + " is not a subcommand; expected one of:" + names;
@@ -94,6 +98,7 @@ int run(int argc, char** argv) {
       "one line\n"
       "on standard error, and then nothing is written to standard output.");
   cli::add_law(program);
+  cli::add_project(program);
 
   const auto complain = [&](const std::string& message, cli::Status status) {
     std::cerr << full_name(program) << ": " << message << '\n';
@@ -122,4 +127,7 @@ int run(int argc, char** argv) {
 
 }  // namespace
 
-int main(int argc, char** argv) { return run(argc, argv); }
+int main(int argc, char** argv) {
+  std::ios::sync_with_stdio(false);  // standard input can be a million lines
+  return run(argc, argv);
+}

@@ -1,5 +1,6 @@
 #include "numbers.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <istream>
@@ -63,17 +64,28 @@ double to_number(std::string_view text, std::string_view source, std::string_vie
   return parsed.value;
 }
 
-std::vector<Line> data_lines(std::istream& in, const std::string& name, std::string_view expected) {
-  std::vector<Line> lines;
+void for_each_data_line(std::istream& in, const std::string& name, std::string_view expected,
+                        const std::function<void(const Line&)>& use) {
+  bool any = false;
   std::string text;
   for (std::size_t number = 1; std::getline(in, text); ++number) {
     const std::string_view content = trimmed(text);
     if (content.empty() || content.starts_with('#')) continue;
-    lines.push_back({name + ':' + std::to_string(number), std::string(content)});
+    use({name + ':' + std::to_string(number), content});
+    any = true;
   }
   if (in.bad()) throw BadInput(name + ": cannot be read; expected " + std::string(expected));
-  if (lines.empty()) throw BadInput(name + ": no values; expected " + std::string(expected));
-  return lines;
+  if (!any) throw BadInput(name + ": no values; expected " + std::string(expected));
+}
+
+std::vector<std::string_view> words(std::string_view text) {
+  std::vector<std::string_view> found;
+  for (std::size_t begin = text.find_first_not_of(blanks); begin != std::string_view::npos;) {
+    const std::size_t end = std::min(text.find_first_of(blanks, begin), text.size());
+    found.push_back(text.substr(begin, end - begin));
+    begin = text.find_first_not_of(blanks, end);
+  }
+  return found;
 }
 
 }  // namespace cli

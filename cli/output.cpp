@@ -20,15 +20,19 @@ void write_to_standard_output(const std::string& text) {
 
 }  // namespace
 
-void deliver(const contensou::Table& table, const std::optional<std::string>& out) {
-  if (!out) return write_to_standard_output(contensou::to_text(table));
+void deliver(const std::string& text, const std::optional<std::string>& out) {
+  if (!out) return write_to_standard_output(text);
 
   try {
-    contensou::write_table(table, *out);
+    contensou::write_file(text, *out);
   } catch (const std::runtime_error&) {
     throw BadInput("--out: " + in_quotes(*out) +
                    " cannot be written; expected the name of a regular file to write");
   }
+}
+
+void deliver(const contensou::Table& table, const std::optional<std::string>& out) {
+  deliver(contensou::to_text(table), out);
 }
 
 }  // namespace cli

@@ -3,7 +3,7 @@
 
 run --help
 succeeds
-for word in 'Usage: contensou' law --version 'Leine' 'Exit status'; do
+for word in 'Usage: contensou' law project --version 'Leine' 'Exit status'; do
   check "'$word' is missing" grep -qF -e "$word" "$folder/out"
 done
 
@@ -14,18 +14,28 @@ for word in 'Usage: contensou law' --pressure --model --out uniform hertz power:
   check "'$word' is missing" grep -qF -e "$word" "$folder/out"
 done
 
-# Help is for reading: no line is longer than 120 characters.
-check "a line is too long" awk 'length($0) > 120 { exit 1 }' "$folder/out"
+run project --help
+succeeds
+for word in 'Usage: contensou project' --pressure --model --out uniform hertz power:N exact table:N series ellipsoid disk \
+  'l1 l2 ltau' 'p1 p2 ptau' inside iterations residual 'standard input' 'Examples' 'Models'; do
+  check "'$word' is missing" grep -qF -e "$word" "$folder/out"
+done
 
 # The examples of the help do what they are there for.
 cd "$folder" || exit 1
-grep '^  .*contensou law' out | sed "s|contensou law|\"$program\" law|" >examples
-check "three examples expected" [ "$(wc -l <examples)" -eq 3 ]
-while IFS= read -r example; do
-  command=$example
-  check "does not work" sh -ec "$example" </dev/null >/dev/null
-done <examples
+for subcommand in law project; do
+  run "$subcommand" --help
+  # Help is for reading: no line is longer than 120 characters.
+  check "a line is too long" awk 'length($0) > 120 { exit 1 }' out
+  grep "^  .*contensou $subcommand" out | sed "s|contensou $subcommand|\"$program\" $subcommand|" >examples
+  check "three examples expected" [ "$(wc -l <examples)" -eq 3 ]
+  while IFS= read -r example; do
+    command=$example
+    check "does not work" sh -ec "$example" </dev/null >/dev/null
+  done <examples
+done
 check "the example with --out made no file" [ -s law.tsv ]
+check "the example with --out made no file" [ -s points.tsv ]
 
 run --version
 succeeds
