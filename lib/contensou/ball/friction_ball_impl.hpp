@@ -112,8 +112,10 @@ Projection<3> FrictionBall<P>::project(const FrictionForce& force, double size) 
   const Meridian p = frame.meridian;
   if (p.t == 0 && p.tau == 0) return {force, Eigen::Vector3d::Zero(), 0, 0, 0, true};
   if (size == 0) {
-    const double distance = std::hypot(p.t, p.tau);
-    return {Eigen::Vector3d::Zero(), frame.vector({p.t / distance, p.tau / distance}), distance, 0, 0, false};
+    const int exponent = detail::exponent_of(p);
+    const Meridian direction{std::ldexp(p.t, -exponent), std::ldexp(p.tau, -exponent)};
+    return {
+        Eigen::Vector3d::Zero(), frame.vector(detail::unit(direction)), std::hypot(p.t, p.tau), 0, 0, false};
   }
   const PlateProjection q =
       detail::comfortable(p) ? plate_.project(p, size) : detail::project_scaled(plate_, p, size);
@@ -136,10 +138,10 @@ ProjectionDerivative<3> FrictionBall<P>::derivative(const Projection<3>& q, cons
   if (size == 0) {
     return {Eigen::Matrix3d::Zero(), boundary_point(1, q.normal)};
   }
-  const Meridian point{q.point.head<2>().norm(), std::abs(q.point.z())};
+  const Meridian point = detail::cylindrical(q.point).meridian;
   const double radius =
       size * plate_.curvature_radius({point, direction, q.distance, q.residual, q.iterations, false});
-  const double along = std::isinf(radius) ? 1 : radius / (radius + q.distance);
+  const double along = 1 / (1 + q.distance / radius);
   const double across = frame.meridian.t > 0 ? point.t / frame.meridian.t : along;
   ProjectionDerivative<3> d;
   d.force = detail::projection_jacobian(frame, n, along, across);

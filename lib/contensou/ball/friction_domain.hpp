@@ -20,9 +20,10 @@ struct Projection {
 /// An element of the generalised Jacobian (Clarke) of the projection as a function of force and size.
 template <int dimension>
 struct ProjectionDerivative {
-  Eigen::Matrix<double, dimension, dimension>
-      force;                                 ///< symmetric, eigenvalues in [0, 1] for a convex domain
-  Eigen::Matrix<double, dimension, 1> size;  ///< (I − force) point/size; zero inside
+  using Matrix = Eigen::Matrix<double, dimension, dimension>;
+  using Vector = Eigen::Matrix<double, dimension, 1>;
+  Matrix force;  ///< symmetric, eigenvalues in [0, 1] for a convex domain
+  Vector size;   ///< (I − force) point/size; zero inside
 };
 
 /// The admissible friction forces of one contact, LG03 (2.15), (2.18), as a set that grows with its size

@@ -129,12 +129,14 @@ PlateProjection SmoothPlate<L>::project(Meridian p, double size) const {
   const auto fall = [=](const BorderNode& n) {
     return size * (1 + n.x * n.x) * n.second + (b - size * n.along);
   };
-  bool in_box = false;
+  double out_of_box = 1;  // of the node least far exceeded
   const auto [left, right] = nodes.cell([&](const BorderNode& n) {
-    in_box |= a <= size * n.across && b <= size * n.along;
-    return value(n) > 0;
+    const double across = a - size * n.across;
+    const double along = b - size * n.along;
+    out_of_box = std::min(out_of_box, std::max(across, along));
+    return across - along * n.x > 0;
   });
-  if (in_box) return detail::inside_plate(p, 0);
+  if (out_of_box <= 0) return detail::inside_plate(p, 0);
   // Under the chord of the cell, and beside neither of its ends.
   const double right_of_left = a - size * left.across;
   const double above_right = b - size * right.along;

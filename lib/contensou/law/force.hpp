@@ -20,6 +20,8 @@ using FrictionForce = Eigen::Vector3d;
 
 /// The friction at γ_F = 0: not a number but every force of the friction ball B_F(λ_N), LG03 (2.19), with
 /// semi-axes radius_t [N] in the tangent plane and half_height_tau [N] along λ_τ. Both zero where μλ_N = 0.
+/// Which forces belong to it, which is nearest, is not for two semi-axes to say: FrictionBall
+/// (ball/friction_ball.hpp).
 struct FrictionSet {
   double radius_t;
   double half_height_tau;
