@@ -40,6 +40,13 @@ void require_pressure(const LawChoice& choice) {
   }
 }
 
+BadInput blame_model(const LawChoice& choice, const std::invalid_argument& error) {
+  const std::string what = error.what();
+  const bool named =
+      what.find(choice.model) != std::string::npos || what.find(choice.pressure) != std::string::npos;
+  return BadInput("--model: " + (named ? what : choice.model + " for " + choice.pressure + ": " + what));
+}
+
 std::string made_by(const std::string& subcommand, const LawChoice& choice) {
   return "contensou " + subcommand + " --pressure " + choice.pressure + " --model " + choice.model +
          ", version " CONTENSOU_VERSION;

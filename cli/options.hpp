@@ -22,15 +22,19 @@ void add_law_choice(CLI::App& subcommand, LawChoice& choice);
 /// The part of the help that lists the pressures and the models, one a line.
 std::string list_of_choices(const std::string& models);
 
-/// make(pressure, model); where there is none, BadInput says which of the two options is to blame.
+/// Throws BadInput where there is no such pressure.
 void require_pressure(const LawChoice& choice);
+/// "--model: ...", with model and pressure named, whatever layer the error comes from.
+BadInput blame_model(const LawChoice& choice, const std::invalid_argument& error);
+
+/// make(pressure, model); where there is none, BadInput says which of the two options is to blame.
 template <class Make>
 auto chosen(const LawChoice& choice, const Make& make) {
   require_pressure(choice);
   try {
     return make(choice.pressure, choice.model);
   } catch (const std::invalid_argument& error) {
-    throw BadInput(std::string("--model: ") + error.what());
+    throw blame_model(choice, error);
   }
 }
 

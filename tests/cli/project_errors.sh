@@ -28,6 +28,12 @@ for model in pade pade2 tanh:0.01; do
   refused --model "$model" 'no friction ball'
 done
 
+# Series that are no plate, tables too coarse: both options are named.
+for pair in 'uniform series:1' 'power:20 series:3' 'power:101 series:40' 'power:1e6 table:4'; do
+  run project --pressure "${pair% *}" --model "${pair#* }" <"$folder/good"
+  refused --model "${pair% *}" "${pair#* }"
+done
+
 # Standard input: the line is named, comments and blank lines counted; a good line before does not help.
 refuses_input() { # TEXT WORD...
   printf "$1" >"$folder/in"
