@@ -42,8 +42,21 @@ class OneContact {
     Solution stick = try_stick();
     if (stick.residual <= rounding) return stick;
     Solution slip = friction_is_weak() ? slide_along(c_.b) : search(guess);
-    Solution best = slip.residual < stick.residual ? slip : stick;
+    const Solution best = slip.residual < stick.residual ? slip : stick;
     return best.residual <= rounding ? best : polished(best);
+  }
+
+  /// The same with the last digits by Newton's method.
+  Solution polished(Solution solution) const {
+    Vector z = solution.impulse;
+    if (solution.state == ContactState::unsolved) z = impulse(c_.n0, Friction::Zero());
+    const double residual =
+        detail::polish(domain_, c_.mu, w_, b_, rounding * speed_, z, solution.iterations) / speed_;
+    if (!(residual < solution.residual && z[0] > 0)) return solution;
+    if (solution.state == ContactState::unsolved) solution.state = ContactState::slip;
+    solution.impulse = z;
+    solution.residual = residual;
+    return solution;
   }
 
  private:
@@ -71,18 +84,6 @@ class OneContact {
     const Friction slip = gamma.template tail<dimension>();
     const double along = std::max(0.0, slip.dot(direction));
     return {z, ContactState::slip, iterations, std::hypot(gamma[0], (slip - along * direction).norm())};
-  }
-
-  Solution polished(Solution solution) const {
-    Vector z = solution.impulse;
-    if (solution.state == ContactState::unsolved) z = impulse(c_.n0, Friction::Zero());
-    const double residual =
-        detail::polish(domain_, c_.mu, w_, b_, rounding * speed_, z, solution.iterations) / speed_;
-    if (!(residual < solution.residual && z[0] > 0)) return solution;
-    if (solution.state == ContactState::unsolved) solution.state = ContactState::slip;
-    solution.impulse = z;
-    solution.residual = residual;
-    return solution;
   }
 
   /// Whether friction changes the direction of slip by less than rounding: also where μ = 0.
@@ -154,6 +155,36 @@ class OneContact {
   detail::ReducedContact<dimension> c_;
 };
 
+/// The proximal point method: a compliance δ is added that makes the problem easy, and its effect taken away
+/// by the friction of the last iterate.
+template <class Domain>
+void approach(const Domain& domain, double mu, const ContactMatrix<Domain>& w, const ContactVector<Domain>& b,
+              OneContactSolution<Domain>& best) {
+  using Vector = ContactVector<Domain>;
+  constexpr int most_iterations = 30;
+  constexpr double compliance = 0x1p-18;
+  Vector delta = compliance * w.diagonal();
+  delta[0] = 0;
+  const ContactMatrix<Domain> stiff = w + ContactMatrix<Domain>(delta.asDiagonal());
+  const double speed = b.cwiseAbs().maxCoeff();
+  Vector z = best.state == ContactState::unsolved ? Vector(Vector::Zero()) : best.impulse;
+  for (int i = 0; i < most_iterations; ++i) {
+    const Vector shift = delta.cwiseProduct(z);
+    const Vector shifted = b - shift;
+    auto next = OneContact<Domain>(domain, mu, stiff, shifted).solve(z);
+    if (next.state == ContactState::unsolved) return;
+    const double residual = next.residual + (delta.cwiseProduct(next.impulse) - shift).norm() / speed;
+    z = next.impulse;
+    const int iterations = best.iterations + next.iterations;
+    if (residual < best.residual) {
+      best = next;
+      best.residual = residual;
+    }
+    best.iterations = iterations;
+    if (best.residual <= rounding) return;
+  }
+}
+
 }  // namespace
 
 template <class Domain>
@@ -163,7 +194,11 @@ OneContactSolution<Domain> solve_one_contact(const Domain& domain, double mu, co
   const ContactVector<Domain> zero = ContactVector<Domain>::Zero();
   if (b[0] >= 0) return {zero, ContactState::open, 0, 0};
   if (!(w(0, 0) > 0)) return {zero, ContactState::unsolved, 0, std::numeric_limits<double>::infinity()};
-  return OneContact<Domain>(domain, mu, w, b).solve(guess);
+  const OneContact<Domain> contact(domain, mu, w, b);
+  auto best = contact.solve(guess);
+  if (best.residual <= rounding) return best;
+  approach(domain, mu, w, b, best);
+  return best.residual <= rounding ? best : contact.polished(best);
 }
 
 template <>
