@@ -52,10 +52,22 @@ contensou_run(bench_laws "What accuracy costs: measuring"
   TABLES cost_laws cost_laws_front cost_ratios
   DRAWN_BY ${PROJECT_SOURCE_DIR}/bench/laws/cost_laws.gp DRAWINGS cost_laws)
 
+contensou_run(bench_projection "What the projection on the friction ball costs: measuring"
+  TABLES cost_projection cost_projection_front cost_projection_aims
+  DRAWN_BY ${PROJECT_SOURCE_DIR}/bench/projection/cost_projection.gp DRAWINGS cost_projection)
+
 # Measured times stand until the program changes; who asks for them by name wants them measured now.
-add_custom_target(bench COMMAND ${bench_laws_command} COMMENT "What accuracy costs: measuring" USES_TERMINAL VERBATIM)
-if(TARGET bench_laws)
-  add_dependencies(bench bench_laws)
+set(bench_commands "")
+set(bench_programs "")
+foreach(program IN ITEMS bench_laws bench_projection)
+  list(APPEND bench_commands COMMAND ${${program}_command})
+  if(TARGET ${program})
+    list(APPEND bench_programs ${program})
+  endif()
+endforeach()
+add_custom_target(bench ${bench_commands} COMMENT "What accuracy costs: measuring" USES_TERMINAL VERBATIM)
+if(bench_programs)
+  add_dependencies(bench ${bench_programs})
 endif()
 
 set(verification_statuses

@@ -11,6 +11,7 @@
 #include <limits>
 #include <memory>
 
+#include "common/pareto.hpp"
 #include "common/program.hpp"
 #include "common/stopwatch.hpp"
 #include "contensou/output/table.hpp"
@@ -20,10 +21,6 @@
 
 namespace bench {
 namespace {
-
-/// Errors below this are rounding in the last digits (about 4 units
-/// in the last place of 1): written as they are, ranked as equal.
-constexpr double rounding = 1e-15;
 
 struct Errors {
   double scaled = 0;    ///< the error of the table, see its header
@@ -38,9 +35,6 @@ struct Results {
   std::vector<double> xi;
   std::vector<double> eta;
 };
-
-/// The larger of the two; a NaN, once met, stays.
-double worse(double a, double b) { return a >= b || std::isnan(a) ? a : b; }
 
 Errors errors_of(const Method& method, const std::vector<Exact>& exact, std::size_t stride) {
   const long double eta_max = method.pressure == "uniform" ? 2.0L / 3 : 3 * std::acos(-1.0L) / 16;
@@ -102,12 +96,11 @@ struct Row {
 
 /// Nothing else of the same pressure is both at least as exact and faster (or as fast and more exact).
 bool on_front(const Row& row, const std::vector<Row>& rows, bool one_by_one) {
-  const double error = std::max(row.errors.scaled, rounding);
-  if (std::isnan(row.errors.scaled) || (one_by_one && !row.method->chain)) return false;
+  const Cost cost{row.errors.scaled, row.seconds};
+  if (std::isnan(cost.error) || (one_by_one && !row.method->chain)) return false;
   return std::none_of(rows.begin(), rows.end(), [&](const Row& other) {
     if (other.method->pressure != row.method->pressure || (one_by_one && !other.method->chain)) return false;
-    const double its = std::max(other.errors.scaled, rounding);
-    return its <= error && other.seconds <= row.seconds && (its < error || other.seconds < row.seconds);
+    return beats({other.errors.scaled, other.seconds}, cost);
   });
 }
 
