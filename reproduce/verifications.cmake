@@ -48,6 +48,9 @@ contensou_run(verify_plates "Verification: the friction plates"
 contensou_run(verify_accuracy "Verification: accuracy in ulp"
   TABLES accuracy accuracy_loss accuracy_over_u accuracy_power parts/claims-accuracy
   DRAWN_BY ${PROJECT_SOURCE_DIR}/verify/accuracy/accuracy.gp DRAWINGS accuracy)
+contensou_run(verify_augmented "Verification: the paper's iteration over r"
+  TABLES augmented_r augmented_radius parts/claims-augmented
+  DRAWN_BY ${PROJECT_SOURCE_DIR}/verify/augmented/augmented_r.gp DRAWINGS augmented_r)
 contensou_run(bench_laws "What accuracy costs: measuring"
   TABLES cost_laws cost_laws_front cost_ratios
   DRAWN_BY ${PROJECT_SOURCE_DIR}/bench/laws/cost_laws.gp DRAWINGS cost_laws)
@@ -71,4 +74,4 @@ if(bench_programs)
 endif()
 
 set(verification_statuses
-  ${verify_quadrature_status} ${verify_ledger_status} ${verify_plates_status} ${verify_accuracy_status})
+  ${verify_quadrature_status} ${verify_ledger_status} ${verify_plates_status} ${verify_accuracy_status} ${verify_augmented_status})
