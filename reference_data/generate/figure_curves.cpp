@@ -5,7 +5,6 @@
 //   figure_curves FOLDER      writes FOLDER/figNN*.tsv; the same bytes each time
 
 #include <arb.h>
-#include <arb_hypgeom.h>
 
 #include <cstdio>
 #include <cstdlib>
@@ -16,50 +15,13 @@
 #include <vector>
 
 #include "ball.hpp"
+#include "figure_laws.hpp"
 
 namespace {
 
-using reference::Ball;
+using namespace reference;
 
-constexpr long bits = 256;
 constexpr int digits = 25;
-
-Ball exact(double x) { return Ball(x, bits); }
-
-Ball gauss(const Ball& a, const Ball& b, const Ball& c, const Ball& z) {
-  Ball r(bits);
-  arb_hypgeom_2f1(r.raw(), a.raw(), b.raw(), c.raw(), z.raw(), 0, bits);
-  return r;
-}
-
-struct Pair {
-  Ball xi;
-  Ball eta;
-};
-
-// ξ and η of σ ∝ (1 − ρ²/R²)ⁿ at v, s >= 0, not both zero;
-// the table of formulas at the head of hypergeometric.hpp.
-Pair law(const Ball& n, double v, double s) {
-  const Ball half = exact(0.5);
-  if (v <= s) {
-    const Ball u = exact(v) / exact(s), m = u * u;
-    const Ball a = (n + 1.0) * beta(exact(1.5), n + 1.0);
-    return {a * (n + 1.5) * u * gauss(half, -0.5 - n, exact(2), m), a * gauss(half, -1.5 - n, exact(1), m)};
-  }
-  const Ball w = exact(s) / exact(v), m = w * w;
-  return {gauss(half, exact(-0.5), n + 2.0, m), w * gauss(half, half, n + 3.0, m) / (2.0 * (n + 2.0))};
-}
-
-// f from its own ₂F₁: Φ/(μλ_N) at v, s.
-Ball potential(const Ball& n, double v, double s) {
-  const Ball minus_half = exact(-0.5);
-  if (v <= s) {
-    const Ball u = exact(v) / exact(s);
-    return exact(s) * (n + 1.0) * beta(exact(1.5), n + 1.0) * gauss(minus_half, -1.5 - n, exact(1), u * u);
-  }
-  const Ball w = exact(s) / exact(v);
-  return exact(v) * gauss(minus_half, minus_half, n + 2.0, w * w);
-}
 
 Ball with_sign(const Ball& x, double sign) { return sign < 0 ? exact(0) - x : x; }
 
@@ -148,25 +110,19 @@ void figure_2(const std::filesystem::path& folder) {
   contours.write(folder / "fig02b.tsv");
 }
 
-// y = η² of the second branch of LG03 (2.18) at ξ: 4y − (20/3) y² + (40/9) y³ = 1 − ξ², by bisection. The
-// cubic rises everywhere (its derivative has no real root), so its sign at the middle decides for certain.
-Ball printed_outer(const Ball& xi) {
-  const Ball rest = (1.0 - xi) * (1.0 + xi);
-  if (arb_is_zero(rest.raw()) != 0) return exact(0);
-  Ball low = exact(0), high = exact(0.5);
-  for (int i = 0; i < 200; ++i) {
-    const Ball y = (low + high) * 0.5;
-    const Ball value = y * (4.0 - y * (exact(20) / 3.0 - y * (exact(40) / 9.0))) - rest;
-    if (arb_is_positive(value.raw()) != 0) {
-      high = y;
-    } else if (arb_is_negative(value.raw()) != 0) {
-      low = y;
-    } else {
-      break;  // closer to the root than the precision can tell
-    }
-  }
-  return sqrt((low + high) * 0.5);
-}
+struct Force {
+  double t;
+  double tau;
+  bool inside;
+};
+
+// As in reproduce/fig03/fig03.cpp.
+const std::vector<Force> forces{{0, 0.875, false},      {0.125, 0.8125, false}, {0.25, 1, false},
+                                {0.375, 0.75, false},   {0.5, 0.875, false},    {0.6875, 0.9375, false},
+                                {0.75, 0.625, false},   {1, 0.875, false},      {0.9375, 0.4375, false},
+                                {1.125, 0.6875, false}, {1.25, 0.5, false},     {1.0625, 0.25, false},
+                                {1.25, 0.25, false},    {1.125, 0.0625, false}, {1.25, 0, false},
+                                {0.5, 0.25, true},      {0.25, 0.5, true}};
 
 void figure_3(const std::filesystem::path& folder) {
   Curve disk("Figure 3a: border of the friction disk", "forces in μλ_N", "lambda_t1\tlambda_t2");
@@ -186,34 +142,57 @@ void figure_3(const std::filesystem::path& folder) {
 
   Curve printed("Figure 3b: border of the friction plate as LG03 (2.18) prints it", "forces in μλ_N",
                 "branch\tlambda_t\tlambda_tau");
-  const Ball seam = exact(55) / 64.0;
-  for (int k = 0; k <= 32; ++k) {
-    const Ball xi = seam * exact(k) / 32.0, x = xi * xi;
-    const Ball rest = 1.0 - 1.5 * x + (exact(15) / 32.0) * x * x + (exact(5) / 128.0) * x * x * x;
-    printed.word("inner").number(xi).number(sqrt(rest) * 2.0 / 3.0).end_row();
-  }
-  for (int k = 32; k >= 0; --k) {
-    const Ball xi = 1.0 - (1.0 - seam) * exact(k * k) / 1024.0;
-    printed.word("outer").number(xi).number(printed_outer(xi)).end_row();
-  }
+  for (const Printed& p : printed_border()) printed.word(p.branch).number(p.at.xi).number(p.at.eta).end_row();
   printed.write(folder / "fig03b_printed.tsv");
+
+  Curve projections("Figure 3c: forces and the nearest points of the friction plate, uniform pressure",
+                    "forces in μλ_N", "lambda_t\tlambda_tau\tnearest_t\tnearest_tau\tinside");
+  for (const Force& f : forces) {
+    const Pair x = f.inside ? Pair{exact(f.t), exact(f.tau)} : nearest(uniform, f.t, f.tau);
+    projections.number(exact(f.t))
+        .number(exact(f.tau))
+        .number(x.xi)
+        .number(x.eta)
+        .word(f.inside ? "1" : "0")
+        .end_row();
+  }
+  projections.write(folder / "fig03c.tsv");
 }
 
-void figure_4(const std::filesystem::path& folder) {
-  Curve ball("Figure 4: friction ball, uniform pressure", "forces in μλ_N",
-             "meridian\tlambda_t1\tlambda_t2\tlambda_tau");
-  for (int m = 0; m <= 48; ++m) {
-    Ball cosine(bits), sine(bits);
-    const Ball angle =
-        exact(m) / 24.0;  // in units of π; exact at the quarter turns, where one of the two vanishes
+// cos and sin of the azimuth of a meridian; exact at the quarter turns, where one of the two vanishes.
+struct Azimuth {
+  explicit Azimuth(int meridian) : cosine(bits), sine(bits) {
+    const Ball angle = exact(meridian) / 24.0;  // in units of π
     arb_sin_cos_pi(sine.raw(), cosine.raw(), angle.raw(), bits);
+  }
+  Ball cosine;
+  Ball sine;
+};
+
+void figure_4(const std::filesystem::path& folder) {
+  const std::string columns = "meridian\tlambda_t1\tlambda_t2\tlambda_tau";
+  const auto add = [](Curve& curve, int meridian, const Azimuth& azimuth, const Ball& t, const Ball& tau) {
+    curve.number(exact(meridian)).number(t * azimuth.cosine).number(t * azimuth.sine).number(tau).end_row();
+  };
+  Curve ball("Figure 4: friction ball, uniform pressure", "forces in μλ_N", columns);
+  for (int m = 0; m <= 48; ++m) {
+    const Azimuth azimuth(m);
     for (const Direction& d : turn(16)) {
       if (d.v < 0) break;
       const Pair f = law(uniform, d.v, std::abs(d.s));
-      ball.number(exact(m)).number(f.xi * cosine).number(f.xi * sine).number(with_sign(f.eta, d.s)).end_row();
+      add(ball, m, azimuth, f.xi, with_sign(f.eta, d.s));
     }
   }
   ball.write(folder / "fig04.tsv");
+
+  Curve printed("Figure 4: meridians of the friction ball as LG03 (2.19) prints it", "forces in μλ_N",
+                columns);
+  const std::vector<Printed> border = printed_border();
+  for (int m = 30; m <= 48; m += 6) {
+    const Azimuth azimuth(m);
+    for (const Printed& p : border) add(printed, m, azimuth, p.at.xi, p.at.eta);
+  }
+  printed.write(folder / "fig04_printed.tsv");
 }
 
 void figure_5(const std::filesystem::path& folder) {

@@ -39,6 +39,9 @@ constexpr Bound disk{6.5, 0};
 // LG03 (2.18): 1 − x(3/2 − ...) keeps at least 0.163 of terms that sum to 0.837 with a relative error of 2
 // ε: 10.8 ε, halved by the root; root, factor 2/3, reading: 7.4. The outer branch is better conditioned (4).
 constexpr Bound printed{7.5, 0};
+// The nearest point: what of (force − point) lies across the normal is at most 4 ulp of the force, below 2,
+// and moves the point by no more; the law.
+constexpr Bound nearest{4.5, 4};
 // Turning about the axis: the angle (up to 2π) has a relative error of 1.2 ε, hence cos and sin an absolute
 // one of 7.5 ε, and 1 ε of their own.
 constexpr Bound turned{5.5, 8.5};
@@ -50,7 +53,11 @@ const std::map<std::string, Columns> bounds = {
     {"fig03a", {{"lambda_t1", disk}, {"lambda_t2", disk}}},
     {"fig03b", {{"lambda_t", law}, {"lambda_tau", law}}},
     {"fig03b_printed", {{"lambda_t", argument}, {"lambda_tau", printed}}},
+    {"fig03c",
+     {{"lambda_t", argument}, {"lambda_tau", argument}, {"nearest_t", nearest}, {"nearest_tau", nearest}}},
     {"fig04", {{"meridian", argument}, {"lambda_t1", turned}, {"lambda_t2", turned}, {"lambda_tau", law}}},
+    {"fig04_printed",
+     {{"meridian", argument}, {"lambda_t1", turned}, {"lambda_t2", turned}, {"lambda_tau", printed}}},
     {"fig05a", {{"u", argument}, {"xi_uniform", law}, {"xi_hertz", law}}},
     {"fig05b", {{"inverse_u", argument}, {"eta_uniform", law}, {"eta_hertz", law}}},
     {"fig06a", {{"v", argument}, {"0.125", law}, {"0.25", law}, {"0.5", law}, {"1", law}}},
