@@ -8,8 +8,26 @@
 namespace contensou {
 
 /// What solve_gauss_seidel keeps from one problem to the next, so that it need not allocate.
-struct GaussSeidelMemory {};
+struct GaussSeidelMemory {
+  Eigen::VectorXd step;      ///< r_i of the natural map
+  Eigen::VectorXd velocity;  ///< γ = WΛ + b, kept up to date contact by contact
+  Eigen::VectorXd best;      ///< impulses of the smallest residual seen
+};
 
+/// Projected block Gauss–Seidel: contact after contact, each solved exactly for the impulses the others have
+/// (one_contact.hpp), warm-started by its own last impulse, γ brought up to date at once. One iteration is a
+/// sweep over all contacts. Contacts without friction take one row and run no friction code.
+///
+/// The residual is looked at when a sweep changes γ by little enough that it could be below the tolerance,
+/// and every 16 sweeps. Where it has not fallen by a tenth since the last look, the sweeps may cycle: from
+/// then on the impulses go only part of the way, Λ_i ← Λ_i + ω(Λ_i* − Λ_i), ω = 0.7, 0.49, ..., 0.24; the
+/// impulses stay within the friction cone, which is convex. Where it falls, but by less than half, ω rises by
+/// 0.1, at most to 1.5, and impulses are projected back on the cone.
+///
+/// Not every problem is solved: with several contacts nothing is proven but for small μ, and large mass
+/// ratios make it slow. At most 5000 sweeps unless limited otherwise; `stalled` after 640 sweeps that bring
+/// no residual lower by a tenth. Of all impulses looked at, the best are returned.
+///
 /// The method SolverMethod::gauss_seidel. Called by ContactSolver::solve, which has checked problem
 /// and options: `problem` is valid, b is not zero, `impulse` has the right size and is finite.
 SolverReport solve_gauss_seidel(const ContactProblem& problem, Eigen::VectorXd& impulse,
