@@ -1,5 +1,5 @@
-# The session shown in the README is what the program does: each command after "$ build/bin/contensou" is run and its output
-# compared word by word, numbers within 1e-13 (relative; an exact 0 has to be 0).
+# The session shown in the README is what the program does: each command with build/bin/contensou is run and its output
+# compared word by word, numbers within 1e-13 (relative; an exact 0 has to be 0; what is below 1e-15 is rounding and has to be so).
 source=$1
 program=$2
 folder=$(mktemp -d)
@@ -8,22 +8,23 @@ trap 'rm -rf "$folder"' EXIT
 awk -v folder="$folder" '
   /^```/ { inside = 0 }
   inside { print > shown }
-  /^\$ build\/bin\/contensou / {
+  /^\$ (.* \| )?build\/bin\/contensou / {
     inside = 1; ++n; shown = folder "/shown" n
-    sub(/^\$ build\/bin\/contensou /, ""); print > (folder "/command" n)
+    sub(/^\$ /, ""); sub(/build\/bin\/contensou/, "\"$program\""); print > (folder "/command" n)
   }' "$source/README.md"
 [ -e "$folder/command1" ] || { echo "README.md shows no session"; exit 1; }
 
 for command in "$folder"/command*; do
   n=${command##*command}
-  eval "\"$program\" $(cat "$command")" >"$folder/got$n" || exit 1
+  eval "$(cat "$command")" >"$folder/got$n" || exit 1
   paste -d '\n' "$folder/shown$n" "$folder/got$n" | awk -F '[\t ]' '
     function number(word) { return word ~ /^-?[0-9][0-9.]*(e[-+]?[0-9]+)?$/ }
+    function rounding(word) { return number(word) && word + 0 != 0 && word < 1e-15 && word > -1e-15 }
     NR % 2 { count = split($0, shown); line = $0; next }
     {
       bad = NF != count
       for (i = 1; i <= NF && !bad; ++i) {
-        if ($i == shown[i]) continue
+        if ($i == shown[i] || (rounding($i) && rounding(shown[i]))) continue
         d = $i - shown[i]
         bad = !number($i) || !number(shown[i]) || !((d < 0 ? -d : d) <= 1e-13 * shown[i])
       }
