@@ -75,8 +75,10 @@ normal_1_1 hertz 0.8835729338221293483 0.2208932334555323371
 
 # Every row of the stored tables is a point of the border with its normal (u, 1): from any distance along the normal it is
 # the projection. The forces are rounded, by 2^-53 each for reading, normal (3), distance, sum, turning (2): 1e-15.
-for pressure in uniform hertz; do
+for pressure in uniform hertz power:1 power:-0.5 power:20; do
   options="--pressure $pressure"
+  table=$tables/$(echo "$pressure" | tr : _).tsv
+  case $pressure in power:*) bound=1.1e-13 ;; *) bound=3e-15 ;; esac # power laws promise 1e-13
   for distance in 1e-6 0.01 1; do
     awk -F '\t' -v d="$distance" '
       /^[#u]/ { next }
@@ -86,9 +88,9 @@ for pressure in uniform hertz; do
       {
         printf "%.17g %.17g %.17g ", 0.6 * ($3 + d * t), 0.8 * ($3 + d * t), -($4 + d * s)
         printf "%.17g %.17g %.17g 0\n", 0.6 * $3, 0.8 * $3, -$4
-      }' "$tables/$pressure.tsv" >"$folder/in"
+      }' "$table" >"$folder/in"
     check "182 rows expected" [ "$(wc -l <"$folder/in")" -ge 182 ]
-    projects 3e-15
+    projects $bound
   done
 done
 
