@@ -8,19 +8,15 @@
 #include <string_view>
 #include <vector>
 
-#include "accuracy.hpp"
 #include "figures.hpp"
 #include "html.hpp"
-#include "summaries.hpp"
+#include "sections.hpp"
 
 namespace report {
 namespace {
 
 namespace fs = std::filesystem;
 using contensou::Table;
-
-constexpr std::size_t long_table = 20;      // rows; longer ones are folded
-constexpr std::size_t longest_table = 800;  // rows; longer ones stay in data/
 
 std::string tile(const std::string& table, const std::string& verdict, const std::string& kind, int count) {
   return fmt::format("<a class=\"tile {}\" href=\"#{}\" data-filter=\"{}\"><b>{}</b> {}</a>\n",
@@ -106,103 +102,6 @@ std::string provenance() {
                      escape(processor()));
 }
 
-const std::string not_there =
-    "<p class=\"missing\">Not there yet: the program that writes it has not run.</p>\n";
-
-// A table that an older run or a failed program left with other columns or rows must not keep the page from
-// being made.
-template <class Words>
-std::string if_there(const Words& words) {
-  try {
-    return words();
-  } catch (const std::out_of_range& missing) {
-    return fmt::format("<p class=\"missing\">Not as expected: {}.</p>\n", escape(missing.what()));
-  }
-}
-
-// What the table says.
-std::string result(const Table& table, const std::string& name) {
-  return if_there([&] {
-    const std::string sentence = summary(name, table);
-    return sentence.empty() ? "" : fmt::format("<p class=\"result\">{}</p>\n", sentence);
-  });
-}
-
-std::string told(const Table& table, const std::string& name, const std::string& id, const std::string& title,
-                 bool open) {
-  return result(table, name) + report::table(table, id, title, open);
-}
-
-std::string joined(const Table& table, const std::string& id, const std::string& title, bool open) {
-  return table.rows.empty() ? not_there : told(table, id, id, title, open);
-}
-
-// Every table of data/ whose name begins with one of the
-// prefixes, as "accuracy" for accuracy.tsv, accuracy_power.tsv.
-std::string tables(const fs::path& report, const std::vector<std::string>& prefixes) {
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(report / "data")) {
-    const std::string name = entry.path().filename().string();
-    const auto begins = [&name](const std::string& prefix) { return name.starts_with(prefix); };
-    if (entry.path().extension() == ".tsv" && std::any_of(prefixes.begin(), prefixes.end(), begins)) {
-      files.push_back(entry.path());
-    }
-  }
-  std::sort(files.begin(), files.end());
-  std::string html;
-  for (const fs::path& file : files) {
-    const Table table = contensou::read_table(file);
-    const std::string name = file.filename().string();
-    const std::string stem = file.stem().string();
-    if (table.rows.size() > longest_table) {
-      html += result(table, stem);
-      html += fmt::format("<p class=\"note\">{}: {} rows, in <code>build/report/data/</code>.</p>\n",
-                          escape(name), table.rows.size());
-    } else {
-      html += told(table, stem, "table-" + stem, fmt::format("`{}`", name), table.rows.size() <= long_table);
-    }
-  }
-  return html.empty() ? not_there : html;
-}
-
-std::string wide_drawing(const fs::path& file, const std::string& title, const std::string& caption) {
-  return fmt::format("<figure><div class=\"panels\"><div class=\"panel wide\">{}</div></div>{}</figure>\n",
-                     inline_svg(file, file.stem().string(), title),
-                     caption.empty() ? "" : fmt::format("<figcaption><p>{}</p></figcaption>", caption));
-}
-
-// Drawings that belong to tables, not to figures of the paper.
-std::string drawings(const fs::path& report, const std::string& prefix, const std::string& title) {
-  std::vector<fs::path> files;
-  if (fs::is_directory(report / "figures")) {
-    for (const auto& entry : fs::directory_iterator(report / "figures")) {
-      if (entry.path().filename().string().starts_with(prefix) && entry.path().extension() == ".svg") {
-        files.push_back(entry.path());
-      }
-    }
-  }
-  std::sort(files.begin(), files.end());
-  std::string html;
-  for (const fs::path& file : files) html += wide_drawing(file, title, "");
-  return html;
-}
-
-// The drawing of the errors over u, what to read from it, and the errors by ranges of u.
-std::string accuracy(const fs::path& report) {
-  const fs::path data = report / "data", drawing = report / "figures" / "accuracy.svg";
-  std::string html;
-  if (fs::exists(drawing) && fs::exists(data / "accuracy_over_u.tsv") &&
-      fs::exists(data / "accuracy_loss.tsv")) {
-    html += if_there([&] { return wide_drawing(drawing, "Relative errors over u", accuracy_caption(data)); });
-  }
-  if (fs::exists(data / "accuracy.tsv")) {
-    const Table table = contensou::read_table(data / "accuracy.tsv");
-    html += result(table, "accuracy") + if_there([&] { return accuracy_at_a_glance(table); }) +
-            report::table(table, "table-accuracy", "`accuracy.tsv`", false);
-  }
-  return html + tables(report, {"accuracy_"});
-}
-
 // One pass over the template, so that text filled in is never taken for a placeholder.
 std::string fill(std::string_view text, const std::vector<std::pair<std::string_view, std::string>>& values) {
   std::string html;
@@ -230,12 +129,14 @@ std::string page(const Evidence& evidence, const fs::path& sources, const fs::pa
                {"script", read_text(sources / "report" / "page.js")},
                {"verdict", verdict(evidence)},
                {"figures", figures(sources, report)},
-               {"ledger", joined(evidence.ledger, "ledger", "Ledger", true)},
-               {"claims", joined(evidence.claims, "claims", "Claims", false)},
-               {"quadrature", tables(report, {"verify_quadrature"})},
-               {"accuracy", accuracy(report)},
-               {"plates", drawings(report, "plate", "Friction plates") + tables(report, {"plate"})},
-               {"cost", drawings(report, "cost_", "Error against time") + tables(report, {"cost_"})},
+               {"ledger", table_section(evidence.ledger, "ledger", "Ledger", true)},
+               {"claims", table_section(evidence.claims, "claims", "Claims", false)},
+               {"quadrature", quadrature_section(report)},
+               {"accuracy", accuracy_section(report)},
+               {"plates", plates_section(report)},
+               {"ball", ball_section(report)},
+               {"contact", contact_section(report)},
+               {"cost", cost_section(report)},
                {"provenance", provenance()},
                {"programs", programs(evidence)}});
 }

@@ -15,7 +15,6 @@
 namespace report {
 namespace {
 
-namespace fs = std::filesystem;
 using contensou::Table;
 
 std::string joined(const std::vector<std::string>& items) {
@@ -192,33 +191,6 @@ std::string summary(const std::string& name, const Table& table) {
       {"ledger", ledger}};
   const auto sentence = sentences.find(name);
   return sentence == sentences.end() || table.rows.empty() ? "" : sentence->second(table);
-}
-
-std::string accuracy_caption(const fs::path& data) {
-  const Table over_u_table = contensou::read_table(data / "accuracy_over_u.tsv");
-  const Table loss_table = contensou::read_table(data / "accuracy_loss.tsv");
-  const Selection over_u(over_u_table), loss(loss_table);
-  // Where the relative error of η first passes 1 on the way out.
-  const auto lost = [&](const char* method) {
-    const Selection row = loss.where("method", method)
-                              .where("quantity", "eta")
-                              .where("towards", "infinity")
-                              .where("threshold", "1");
-    return row.empty() ? std::string("(never)") : rounded(row.first("u"), 2);
-  };
-  return fmt::format(
-      "Largest relative error in each tenth of a decade of <i>u</i>; the level line is 2<sup>−53</sup>, the "
-      "most that "
-      "rounding the exact value can cost. This library stays beside it, at most {}, from end to end. Slopes "
-      "are digits "
-      "lost by cancellation: of <i>η</i> none is left beyond <i>u</i> = {} with K and E, {} with Carlson’s "
-      "integral, {} "
-      "with (3.18) as printed. The peaks at <i>u</i> = 1 are not rounding: there the series (2.8), (2.13), "
-      "(2.14) as "
-      "printed are off by up to {}. What is below 10<sup>−17</sup> is drawn there.",
-      rounded_up(over_u.where("method", "exact").largest("error"), 2), lost("textbook_ke_boost"),
-      lost("carlson_boost"), lost("printed"),
-      rounded(over_u.where("method", "printed_series").largest("error"), 2));
 }
 
 }  // namespace report
