@@ -14,19 +14,10 @@ constexpr int most_sweeps = 5000;
 constexpr int sweeps_between_looks = 16;
 constexpr int looks_without_progress = 40;
 
-/// What the contact's impulse becomes: the exact one, or `relaxation` of the way there.
-template <class Domain>
-ContactVector<Domain> relaxed(const Domain& domain, double mu, const ContactVector<Domain>& old,
-                              const ContactVector<Domain>& exact, double relaxation) {
-  if (relaxation == 1) return exact;
-  const ContactVector<Domain> part = old + relaxation * (exact - old);
-  return relaxation < 1 ? part : project_contact(domain, mu, part);
-}
-
 /// Solves each contact once, for what the others are; returns the largest change of a contact's own
 /// velocity, W_ii ΔΛ_i.
-double sweep(const ContactProblem& problem, const Eigen::VectorXd& step, double relaxation,
-             Eigen::VectorXd& impulse, Eigen::VectorXd& velocity) {
+double sweep(const ContactProblem& problem, const Eigen::VectorXd& step, Eigen::VectorXd& impulse,
+             Eigen::VectorXd& velocity) {
   double largest = 0;
   for_each_contact(problem, [&]<class Domain>(const TypedGroup<Domain>& group, Eigen::Index i) {
     constexpr int rows = TypedGroup<Domain>::rows;
@@ -35,10 +26,9 @@ double sweep(const ContactProblem& problem, const Eigen::VectorXd& step, double 
     const ContactVector<Domain> b = group.segment(velocity, i) - w * old;
     const auto exact = solve_one_contact(group.domain, group.mu[i], w, b, old);
     if (exact.state == ContactState::unsolved) return;
-    const ContactVector<Domain> next = relaxed(group.domain, group.mu[i], old, exact.impulse, relaxation);
-    const ContactVector<Domain> change = next - old;
+    const ContactVector<Domain> change = exact.impulse - old;
     if (change.isZero(0)) return;
-    group.segment(impulse, i) = next;
+    group.segment(impulse, i) = exact.impulse;
     velocity.noalias() += problem.delassus.middleCols<rows>(group.row(i)) * change;
     largest = std::max(largest, change.cwiseAbs().maxCoeff() / step[group.first_contact + i]);
   });
@@ -58,9 +48,7 @@ SolverReport solve_gauss_seidel(const ContactProblem& problem, Eigen::VectorXd& 
     return natural_map_residual(problem, impulse, memory.velocity, memory.step);
   };
 
-  double relaxation = 1;
   double residual = look();
-  double last_residual = residual;
   double best_residual = residual;
   double reference = residual;  // a tenth below it is progress
   memory.best = impulse;
@@ -68,7 +56,7 @@ SolverReport solve_gauss_seidel(const ContactProblem& problem, Eigen::VectorXd& 
   int sweeps = 0;
   SolverStatus status = SolverStatus::iteration_limit;
   while (best_residual > options.tolerance && sweeps < limit) {
-    const double change = sweep(problem, memory.step, relaxation, impulse, memory.velocity);
+    const double change = sweep(problem, memory.step, impulse, memory.velocity);
     ++sweeps;
     const bool regular = sweeps % sweeps_between_looks == 0;
     if (!(change <= goal || regular || sweeps == limit || !std::isfinite(change))) continue;
@@ -88,13 +76,6 @@ SolverReport solve_gauss_seidel(const ContactProblem& problem, Eigen::VectorXd& 
       status = SolverStatus::stalled;
       break;
     }
-    if (!regular) continue;
-    if (residual > 0.9 * last_residual) {
-      relaxation = std::max(0.24, 0.7 * std::min(relaxation, 1.0));
-    } else if (residual > 0.5 * last_residual) {
-      relaxation = std::min(1.5, relaxation + 0.1);
-    }
-    last_residual = residual;
   }
   impulse = memory.best;
   if (best_residual <= options.tolerance) status = SolverStatus::solved;

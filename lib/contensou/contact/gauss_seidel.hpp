@@ -19,14 +19,11 @@ struct GaussSeidelMemory {
 /// sweep over all contacts. Contacts without friction take one row and run no friction code.
 ///
 /// The residual is looked at when a sweep changes γ by little enough that it could be below the tolerance,
-/// and every 16 sweeps. Where it has not fallen by a tenth since the last look, the sweeps may cycle: from
-/// then on the impulses go only part of the way, Λ_i ← Λ_i + ω(Λ_i* − Λ_i), ω = 0.7, 0.49, ..., 0.24; the
-/// impulses stay within the friction cone, which is convex. Where it falls, but by less than half, ω rises by
-/// 0.1, at most to 1.5, and impulses are projected back on the cone.
-///
-/// Not every problem is solved: with several contacts nothing is proven but for small μ, and large mass
-/// ratios make it slow. At most 5000 sweeps unless limited otherwise; `stalled` after 640 sweeps that bring
-/// no residual lower by a tenth. Of all impulses looked at, the best are returned.
+/// and every 16 sweeps. Not every problem is solved: with several contacts nothing is proven but for small μ,
+/// and large mass ratios make it slow, with and without friction. Going only part of the way or beyond (0.3
+/// to 1.5) solves no more problems, so there is no such option. At most 5000 sweeps unless limited otherwise;
+/// `stalled` after 640 sweeps that bring no residual lower by a tenth. Of all impulses looked at, the best
+/// are returned.
 ///
 /// The method SolverMethod::gauss_seidel. Called by ContactSolver::solve, which has checked problem
 /// and options: `problem` is valid, b is not zero, `impulse` has the right size and is finite.
