@@ -43,7 +43,8 @@ class BorderNodes {
   Cell cell(const Predicate& before) const {
     // Counting, in two rounds, has no branches to predict.
     std::size_t k = 0;
-    for (std::size_t i = stride; i < cells; i += stride) k += stride * static_cast<std::size_t>(before(nodes_[i]));
+    for (std::size_t i = stride; i < cells; i += stride)
+      k += stride * static_cast<std::size_t>(before(nodes_[i]));
     std::size_t within = 0;
     for (std::size_t i = 1; i < stride; ++i) within += static_cast<std::size_t>(before(nodes_[k + i]));
     return {nodes_[k + within], nodes_[k + within + 1]};

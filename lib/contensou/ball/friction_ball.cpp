@@ -3,27 +3,25 @@
 namespace contensou::detail {
 
 Cylindrical cylindrical(const Eigen::Vector3d& x) {
-  const double x1 = x[0];
-  const double x2 = x[1];
   const double tau = std::abs(x[2]);
-  const double square = x1 * x1 + x2 * x2;
+  const double sign = std::signbit(x[2]) ? -1.0 : 1.0;
+  const double square = x[0] * x[0] + x[1] * x[1];
   // Between these the squares of the larger component are as accurate as normal doubles are.
   constexpr double smallest = 0x1p-900;
   constexpr double largest = 0x1p1000;
-  double t = 0;
-  if (square > smallest && square < largest) {
-    t = std::sqrt(square);
-  } else {
-    t = std::hypot(x1, x2);
+  if (square > smallest && square < largest && std::isfinite(tau)) {
+    const double t = std::sqrt(square);
+    return {{t, tau}, x[0] / t, x[1] / t, sign};
   }
-  if (!(std::isfinite(x1) && std::isfinite(x2) && std::isfinite(tau))) {
-    throw std::domain_error("friction ball: a force or velocity is not finite");
-  }
-  const double sign = std::signbit(x[2]) ? -1.0 : 1.0;
-  if (t == 0) return {{0, tau}, 1, 0, sign};
-  if (std::isinf(t))
-    t = std::numeric_limits<double>::max();  // up to √2 too small: only its direction is felt
-  return {{t, tau}, x1 / t, x2 / t, sign};
+  if (!x.allFinite()) throw std::domain_error("friction ball: a force or velocity is not finite");
+  if (x[0] == 0 && x[1] == 0) return {{0, tau}, 1, 0, sign};
+  const int exponent = exponent_of({std::abs(x[0]), std::abs(x[1])});
+  const double x1 = std::ldexp(x[0], -exponent);
+  const double x2 = std::ldexp(x[1], -exponent);
+  const double t = std::sqrt(x1 * x1 + x2 * x2);
+  // Up to √2 too small at the very end of the range, where only its direction is felt.
+  const double length = std::min(std::ldexp(t, exponent), std::numeric_limits<double>::max());
+  return {{length, tau}, x1 / t, x2 / t, sign};
 }
 
 int exponent_of(Meridian p) {

@@ -1,5 +1,6 @@
 #include "contensou/ball/series_arc.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -7,6 +8,15 @@
 #include "contensou/ball/bracketed_newton.hpp"
 
 namespace contensou {
+namespace {
+
+/// A value is zero where it is below the rounding of its largest term.
+NewtonStep step(double value, double fall, double largest_term) {
+  constexpr double rounding = 0x1p-51;
+  return {value, fall, std::abs(value) <= rounding * largest_term};
+}
+
+}  // namespace
 
 SeriesArc::SeriesArc(double height, std::vector<double> coefficients, double end)
     : height_(height), coefficients_(std::move(coefficients)) {
@@ -52,17 +62,17 @@ SeriesArc::Found SeriesArc::solve(const Function& function) const {
 SeriesArc::Found SeriesArc::nearest(double a, double b, double size) const {
   return solve([=](const Point& p) {
     const double above = b - size * p.y;
-    return NewtonStep{a - size * p.x + above * p.slope, size * (1 + p.slope * p.slope) - above * p.second,
-                      false};
+    return step(a - size * p.x + above * p.slope, size * (1 + p.slope * p.slope) - above * p.second,
+                std::max(a, std::max(b, size) * -p.slope));
   });
 }
 
 SeriesArc::Found SeriesArc::crossing(double a, double b) const {
-  return solve([=](const Point& p) { return NewtonStep{a * p.y - b * p.x, b - a * p.slope, false}; });
+  return solve([=](const Point& p) { return step(a * p.y - b * p.x, b - a * p.slope, a * p.y); });
 }
 
 SeriesArc::Found SeriesArc::touching(double v, double s) const {
-  return solve([=](const Point& p) { return NewtonStep{v + s * p.slope, -s * p.second, false}; });
+  return solve([=](const Point& p) { return step(v + s * p.slope, -s * p.second, v); });
 }
 
 }  // namespace contensou
