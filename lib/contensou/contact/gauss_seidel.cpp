@@ -58,7 +58,7 @@ SolverReport solve_gauss_seidel(const ContactProblem& problem, Eigen::VectorXd& 
   while (best_residual > options.tolerance && sweeps < limit) {
     const double change = sweep(problem, memory.step, impulse, memory.velocity);
     ++sweeps;
-    const bool regular = sweeps % sweeps_between_looks == 0;
+    const bool regular = sweeps == 1 || sweeps % sweeps_between_looks == 0;
     if (!(change <= goal || regular || sweeps == limit || !std::isfinite(change))) continue;
     residual = look();
     if (residual < best_residual) {
