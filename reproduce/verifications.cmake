@@ -51,6 +51,10 @@ contensou_run(verify_accuracy "Verification: accuracy in ulp"
 contensou_run(verify_augmented "Verification: the paper's iteration over r"
   TABLES augmented_r augmented_radius parts/claims-augmented
   DRAWN_BY ${PROJECT_SOURCE_DIR}/verify/augmented/augmented_r.gp DRAWINGS augmented_r)
+contensou_run(verify_siconos "Verification: against Siconos, points of contact and patches cut into points"
+  OPTIONAL "Siconos is not installed"
+  TABLES siconos_coulomb siconos_patch siconos_ball parts/claims-siconos
+  DRAWN_BY ${PROJECT_SOURCE_DIR}/verify/siconos/siconos_patch.gp DRAWINGS siconos_patch)
 contensou_run(bench_laws "What accuracy costs: measuring"
   TABLES cost_laws cost_laws_front cost_ratios
   DRAWN_BY ${PROJECT_SOURCE_DIR}/bench/laws/cost_laws.gp DRAWINGS cost_laws)
@@ -74,4 +78,4 @@ if(bench_programs)
 endif()
 
 set(verification_statuses
-  ${verify_quadrature_status} ${verify_ledger_status} ${verify_plates_status} ${verify_accuracy_status} ${verify_augmented_status})
+  ${verify_quadrature_status} ${verify_ledger_status} ${verify_plates_status} ${verify_accuracy_status} ${verify_augmented_status} ${verify_siconos_status})

@@ -45,7 +45,6 @@ constexpr Identifier identifiers[] = {
     {"aclmfp", SICONOS_FRICTION_3D_ACLMFP, 0, Storage::dense},
     {"nsn_ac", SICONOS_FRICTION_3D_NSN_AC, 0, Storage::dense},
     {"nsn_ac_test", SICONOS_FRICTION_3D_NSN_AC_TEST, 0, Storage::dense},
-    {"nsn_fb", SICONOS_FRICTION_3D_NSN_FB, 0, Storage::dense},
     {"dsfp", SICONOS_FRICTION_3D_DSFP, 0, Storage::dense},
     {"fpp", SICONOS_FRICTION_3D_FPP, 0, Storage::dense},
     {"eg", SICONOS_FRICTION_3D_EG, 0, Storage::dense},

@@ -27,9 +27,9 @@ class SiconosProblem {
   void set_free_velocity(const Eigen::VectorXd& q);
   int contacts() const;
 
-  /// Siconos's own measure of a reaction: ‖r − P_K(r − u − μ‖u_T‖ e_N)‖/‖q‖ with the projection P_K on
-  /// Coulomb's cones (De Saxcé), fc3d_compute_error. It adds metres per second to newton seconds; the
-  /// absolute number where ‖q‖ < 2.2e-16.
+  /// Siconos's own measure of a reaction, fc3d_compute_error: ‖r − P_K(r − u − μ‖u_T‖ e_N)‖ over the largest
+  /// of ‖q‖, ‖r‖ and ‖u‖, with the projection P_K on Coulomb's cones (De Saxcé). It adds metres per second to
+  /// newton seconds.
   double error(const Eigen::VectorXd& reaction) const;
 
  private:
@@ -51,9 +51,10 @@ struct SiconosMethod {
 };
 
 /// The solvers of Siconos Numerics 4.4 that can be called on such a problem without more ado, in the version
-/// that Debian 12 compiles (assertions on). Left out are those that end the program (NSGSV with its default
-/// local solver, PFP, SOCLCP), that do not end (HP), that solve no problem as delivered (NSN_NM, the
-/// projection as one-contact solver), and what needs GAMS or PATH.
+/// that Debian 12 compiles (assertions on). Left out are those that end the program, at once (NSGSV with its
+/// default local solver, PFP, SOCLCP) or where rounding lets an assertion fail (NSN_FB); that do not end
+/// (HP); that solve no problem as delivered (NSN_NM, the projection as one-contact solver); and what needs
+/// GAMS or PATH.
 const std::vector<SiconosMethod>& siconos_methods();
 
 /// A solver of Siconos.
