@@ -8,7 +8,6 @@ eval panel('siconos_patch', 940, 900)
 
 set logscale xy
 set grid xtics ytics linecolor rgb light linewidth 0.6
-set format y '10^{%T}'
 
 # Columns of siconos_patch: 1 pressure, 2 set, 3 motion, 4 points, 5 error; of siconos_ball: 1 pressure, 2 set, 3 points, 4 error.
 of(p, s, m) = strcol(1) eq p && strcol(2) eq s && strcol(3) eq m ? column(5) : NaN
@@ -24,15 +23,16 @@ do for [row = 1:2] {
     pressure = col == 1 ? 'uniform' : 'hertz'
     set lmargin at screen (col == 1 ? 0.092 : 0.552)
     set rmargin at screen (col == 1 ? 0.497 : 0.957)
-    set bmargin at screen (row == 1 ? 0.405 : 0.070)
-    set tmargin at screen (row == 1 ? 0.955 : 0.330)
+    set bmargin at screen (row == 1 ? 0.410 : 0.080)
+    set tmargin at screen (row == 1 ? 0.955 : 0.340)
     set xlabel (row == 2 ? 'number of points {/:Italic N}' : '') offset 0,0.3
     set title (row == 1 ? (col == 1 ? 'Uniform pressure' : 'Hertz pressure') : '') offset 0,-0.6
     unset label
+    set format y (col == 1 ? '10^{%T}' : '')
     if (row == 1) {
       set xrange [3:700]
       set xtics (4, 16, 64, 256)
-      set yrange [1e-13:1]
+      set yrange [1e-16:1]
       set ytics 1e-15,1e3,1
       set ylabel (col == 1 ? 'force or velocity, Siconos against ours' : '') offset 1.5,0
       set key at graph 0.03,0.03 left bottom Left reverse samplen 2 spacing 1.05 font ',13'
