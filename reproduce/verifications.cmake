@@ -45,12 +45,16 @@ contensou_run(verify_ledger "Verification: every equation and claim of the paper
   TABLES parts/claims-ledger parts/ledger-ledger)
 contensou_run(verify_plates "Verification: the friction plates"
   TABLES plates parts/claims-plates)
+contensou_run(verify_ball "Verification: projection on the friction ball"
+  TABLES ball ball_iterations parts/claims-ball)
 contensou_run(verify_accuracy "Verification: accuracy in ulp"
   TABLES accuracy accuracy_loss accuracy_over_u accuracy_power parts/claims-accuracy
   DRAWN_BY ${PROJECT_SOURCE_DIR}/verify/accuracy/accuracy.gp DRAWINGS accuracy)
 contensou_run(verify_augmented "Verification: the paper's iteration over r"
   TABLES augmented_r augmented_radius parts/claims-augmented
   DRAWN_BY ${PROJECT_SOURCE_DIR}/verify/augmented/augmented_r.gp DRAWINGS augmented_r)
+contensou_run(verify_consistency "Verification: energy, power and order of contacts on random problems"
+  TABLES consistency parts/claims-consistency)
 contensou_run(verify_siconos "Verification: against Siconos, points of contact and patches cut into points"
   OPTIONAL "Siconos is not installed"
   TABLES siconos_coulomb siconos_patch siconos_ball parts/claims-siconos
@@ -78,4 +82,4 @@ if(bench_programs)
 endif()
 
 set(verification_statuses
-  ${verify_quadrature_status} ${verify_ledger_status} ${verify_plates_status} ${verify_accuracy_status} ${verify_augmented_status} ${verify_siconos_status})
+  ${verify_quadrature_status} ${verify_ledger_status} ${verify_plates_status} ${verify_ball_status} ${verify_accuracy_status} ${verify_augmented_status} ${verify_consistency_status} ${verify_siconos_status})

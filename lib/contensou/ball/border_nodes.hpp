@@ -83,6 +83,8 @@ class SecantSlope {
     value_ = value;
     return fall_;
   }
+  /// The one used last.
+  double last() const { return fall_; }
 
  private:
   double fall_;

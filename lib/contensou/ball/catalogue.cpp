@@ -76,7 +76,7 @@ AnyBall make_ball(std::string_view pressure, std::string_view model) {
 
 std::string ball_model_help() {
   return "exact      the ball itself (default)\n"
-         "table:N    the ball by a table of N cells a side, 4 to 256; error about 9/N^5 of its size\n"
+         "table:N    the ball by a table of N cells a side, 4 to 256; 16: to about 1e-7 of its size\n"
          "printed    the paper's plate to the letter: (2.18) uniform, (3.19) hertz; not convex\n"
          "series     the same; for power:N its three terms\n"
          "corrected  the paper's three terms with the right coefficients and seam\n"

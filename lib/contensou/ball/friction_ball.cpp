@@ -42,7 +42,10 @@ Eigen::Matrix3d projection_jacobian(const Cylindrical& frame, Meridian unit_norm
                                     double across) {
   const Eigen::Vector3d tangent = frame.vector({unit_normal.tau, -unit_normal.t});
   const Eigen::Vector3d around(-frame.e2, frame.e1, 0);
-  return along * tangent * tangent.transpose() + across * around * around.transpose();
+  // Evaluated first, so that the sum is symmetric to the bit.
+  const Eigen::Matrix3d along_part = tangent * tangent.transpose();
+  const Eigen::Matrix3d around_part = around * around.transpose();
+  return along * along_part + across * around_part;
 }
 
 }  // namespace contensou::detail

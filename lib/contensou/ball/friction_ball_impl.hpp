@@ -18,11 +18,12 @@ struct Cylindrical {
   Eigen::Vector3d vector(Meridian m) const { return {m.t * e1, m.t * e2, sign * m.tau}; }
 };
 
-/// Far from the ends of the range of doubles, where a plate needs no care: no scaling.
-constexpr double large_force = 0x1p500;
+/// Where a plate can be left alone: no sum of two components overflows, no product with one falls short.
+constexpr double large_force = 0x1p1000;
+constexpr double small_force = 0x1p-600;
 inline bool comfortable(Meridian p) {
   const double largest = std::max(p.t, p.tau);
-  return largest < large_force && largest > 1 / large_force;
+  return largest < large_force && largest > small_force;
 }
 
 /// The exponent that brings the larger component, which is not zero, into [½, 1).
@@ -31,12 +32,18 @@ int exponent_of(Meridian p);
 /// The projection at the ends of the range, by that of p and size over a common power of two.
 template <FrictionPlate P>
 PlateProjection project_scaled(const P& plate, Meridian p, double size) {
-  const int exponent = exponent_of(p);
-  PlateProjection q =
-      plate.project({std::ldexp(p.t, -exponent), std::ldexp(p.tau, -exponent)}, std::ldexp(size, -exponent));
+  const int exponent = std::max(p.t, p.tau) >= large_force ? 64 : -600;
+  const double scaled_size = std::ldexp(size, -exponent);
+  PlateProjection q = plate.project({std::ldexp(p.t, -exponent), std::ldexp(p.tau, -exponent)}, scaled_size);
   q.point = {std::ldexp(q.point.t, exponent), std::ldexp(q.point.tau, exponent)};
   q.distance = std::ldexp(q.distance, exponent);
   q.residual = std::ldexp(q.residual, exponent);
+  // From so far away only the direction counts, and the size has fallen short of its digits.
+  constexpr double subnormal = 0x1p-1022;
+  if (scaled_size < subnormal && exponent > 0 && !q.inside) {
+    const Friction x = plate.border(q.direction.t, q.direction.tau);
+    q.point = {size * x.xi, size * x.eta};
+  }
   return q;
 }
 

@@ -32,7 +32,7 @@ struct PlateRay {
 /// A friction plate P_F(λ_N), LG03 (2.18), (3.19): the admissible (‖λ_T‖, |λ_τ|), in units of the size μλ_N.
 /// Turned about the λ_τ axis and mirrored in the tangent plane it is the friction ball (friction_ball.hpp),
 /// which is where arguments are checked and brought far from the ends of the range of doubles; a plate takes
-/// them to be >= 0, the larger component of a point between 2^-500 and 2^500.
+/// them to be >= 0, the larger component of a point between 2^-600 and 2^1000.
 ///
 ///   extent()           semi-axes
 ///   support(v, s)      max of v ξ + s η over the plate: Φ/(μλ_N) for a plate that is convex
