@@ -1,12 +1,135 @@
 #include "contensou/contact/automatic.hpp"
 
-#include <stdexcept>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "contensou/contact/one_contact.hpp"
 
 namespace contensou {
+namespace {
 
-SolverReport solve_automatic(const ContactProblem&, Eigen::VectorXd&, const SolverOptions&,
-                             AutomaticMemory&) {
-  throw std::logic_error("solve_automatic: not written yet");
+constexpr std::array sweeps_between{10, 30, 90};
+constexpr int sweeps_after_path = 20;
+constexpr int most_paths = 12;
+constexpr int most_path_steps = 300;
+// Neither is best for all problems.
+constexpr std::array<double, 3> regularisations{1e-7, 1e-5, 1e-9};
+constexpr std::array<double, 3> largest_steps{1e3, 1e5, 10};
+
+/// The rungs share the best impulses met and the number of iterations left.
+class Ladder {
+ public:
+  Ladder(const ContactProblem& problem, const SolverOptions& options, AutomaticMemory& memory)
+      : problem_(problem),
+        tolerance_(options.tolerance),
+        left_(options.max_iterations > 0 ? options.max_iterations : std::numeric_limits<int>::max()),
+        m_(memory) {}
+
+  SolverReport climb(Eigen::VectorXd& impulse) {
+    m_.scaled.set(problem_);
+    start(problem_, m_.scaled, impulse, m_.newton.velocity, m_.x);
+    m_.best = m_.x;
+    run();
+    impulse = m_.best.cwiseProduct(m_.scaled.unit);
+    const SolverStatus status = best_ <= tolerance_ ? SolverStatus::solved
+                                : left_ <= 0        ? SolverStatus::iteration_limit
+                                                    : SolverStatus::stalled;
+    return {status, used_, best_, SolverMethod::automatic};
+  }
+
+ private:
+  void run() {
+    newton(30, false);
+    for (const int count : sweeps_between) {
+      if (done()) return;
+      sweep(count);
+      newton(30, false);
+    }
+    for (int attempt = 0; attempt < most_paths && !done(); ++attempt) {
+      path(attempt);
+      newton(100, true);
+      if (done()) return;
+      sweep(sweeps_after_path);
+      newton(30, attempt % 2 == 1);
+    }
+  }
+
+  bool done() const { return left_ <= 0 || best_ <= tolerance_ || best_ <= m_.scaled.rounding(m_.best); }
+
+  void count(int iterations) {
+    used_ += iterations;
+    left_ -= iterations;
+  }
+
+  void newton(int most_iterations, bool adapt_steps) {
+    const NewtonResult result = newton_iteration(
+        m_.scaled, m_.x, {tolerance_, std::min(most_iterations, left_), adapt_steps}, m_.newton);
+    count(result.iterations);
+    if (!(result.residual < best_)) return;
+    best_ = result.residual;
+    m_.best = m_.x;
+  }
+
+  void sweep(int most_sweeps) {
+    m_.impulse = m_.x.cwiseProduct(m_.scaled.unit);
+    const SolverReport report = solve_gauss_seidel(
+        problem_, m_.impulse,
+        {.tolerance = tolerance_, .max_iterations = std::max(1, std::min(most_sweeps, left_))},
+        m_.gauss_seidel);
+    count(report.iterations);
+    m_.x = m_.impulse.cwiseQuotient(m_.scaled.unit);
+  }
+
+  /// Directions from 1/4 to 4 in the normal rows, spread by the golden section; all 1 the first time.
+  void path(int attempt) {
+    double place = 0;
+    for (double& cover : m_.scaled.cover) {
+      if (cover == 0) continue;
+      place += 0.6180339887498949 * attempt;
+      cover = attempt == 0 ? 1 : std::exp2(4 * (place - std::floor(place)) - 2);
+    }
+    const auto which = static_cast<std::size_t>(attempt) % regularisations.size();
+    count(follow_covering_path(
+        m_.scaled, {regularisations[which], largest_steps[which], std::min(most_path_steps, left_)},
+        m_.path));
+    m_.x = m_.path.x;
+  }
+
+  const ContactProblem& problem_;
+  double tolerance_;
+  int left_;
+  AutomaticMemory& m_;
+  int used_ = 0;
+  double best_ = std::numeric_limits<double>::infinity();
+};
+
+/// The problem of a single contact, at once; its residual.
+double solve_single(const ContactProblem& problem, Eigen::VectorXd& impulse, int& iterations) {
+  for_each_contact(problem, [&]<class Domain>(const TypedGroup<Domain>& group, Eigen::Index i) {
+    const ContactMatrix<Domain> w = problem.delassus;
+    const ContactVector<Domain> b = problem.free_velocity;
+    const ContactVector<Domain> guess = impulse;
+    const auto solution = solve_one_contact<Domain>(group.domain, group.mu[i], w, b, guess);
+    impulse = solution.impulse;
+    iterations = solution.iterations;
+  });
+  return natural_map_residual(problem, impulse);
+}
+
+}  // namespace
+
+SolverReport solve_automatic(const ContactProblem& problem, Eigen::VectorXd& impulse,
+                             const SolverOptions& options, AutomaticMemory& memory) {
+  if (problem.contacts() == 1) {
+    int iterations = 0;
+    const double residual = solve_single(problem, impulse, iterations);
+    if (residual <= options.tolerance) {
+      return {SolverStatus::solved, iterations, residual, SolverMethod::automatic};
+    }
+  }
+  return Ladder(problem, options, memory).climb(impulse);
 }
 
 }  // namespace contensou

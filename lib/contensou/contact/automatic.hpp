@@ -4,12 +4,33 @@
 
 #include "contensou/contact/contact_problem.hpp"
 #include "contensou/contact/contact_solver.hpp"
+#include "contensou/contact/covering_path.hpp"
+#include "contensou/contact/gauss_seidel.hpp"
+#include "contensou/contact/scaled_problem.hpp"
+#include "contensou/contact/semismooth_newton.hpp"
 
 namespace contensou {
 
 /// What solve_automatic keeps from one problem to the next, so that it need not allocate.
-struct AutomaticMemory {};
+struct AutomaticMemory {
+  ScaledProblem scaled;
+  Eigen::VectorXd x, best, impulse;
+  NewtonMemory newton;
+  GaussSeidelMemory gauss_seidel;
+  CoveringPathMemory path;
+};
 
+/// One contact: solve_one_contact. Several, or where that does not do:
+///   1. Newton's method (semismooth_newton.hpp), 30 iterations;
+///   2. Gauss–Seidel for 10, 30 and 90 sweeps, each followed by 1;
+///   3. up to twelve times the covering path (covering_path.hpp), each with another direction and other
+///   steps, each
+///      followed by Newton's method with adapted steps, and by 20 sweeps and 1 from there.
+/// The first rung that reaches the tolerance ends it; so does a residual that is rounding (`stalled`:
+/// impulses so large, or radii so large, that doubles have no better ones). `iterations` counts Newton
+/// iterations, sweeps and steps of the path alike; without a limit of the caller's there are some 7000 at the
+/// very most.
+///
 /// The method SolverMethod::automatic. Called by ContactSolver::solve, which has checked problem
 /// and options: `problem` is valid, b is not zero, `impulse` has the right size and is finite.
 SolverReport solve_automatic(const ContactProblem& problem, Eigen::VectorXd& impulse,

@@ -1,12 +1,107 @@
 #include "contensou/contact/semismooth_newton.hpp"
 
-#include <stdexcept>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
 
 namespace contensou {
+namespace {
 
-SolverReport solve_semismooth_newton(const ContactProblem&, Eigen::VectorXd&, const SolverOptions&,
-                                     SemismoothNewtonMemory&) {
-  throw std::logic_error("solve_semismooth_newton: not written yet");
+constexpr double regularisation = 1e-10;
+constexpr int most_halvings = 12;
+constexpr double least_decrease = 2e-4;  // of ½‖h‖² for a full step, Armijo
+constexpr std::size_t remembered = 5;
+constexpr double farthest = 1e100;  // of a step: beyond it the Jacobian is as good as singular
+
+double merit(const Eigen::VectorXd& h) { return h.squaredNorm() / 2; }
+
+/// The largest of the last merits: now and then ½‖h‖² must be allowed to grow.
+class Reference {
+ public:
+  double with(double latest) {
+    merits_[count_++ % remembered] = latest;
+    return *std::max_element(merits_.begin(), merits_.end());
+  }
+
+ private:
+  std::array<double, remembered> merits_{};
+  std::size_t count_ = 0;
+};
+
+/// m.trial along −m.direction, a fraction that brings h low enough; the full step where no fraction of it
+/// does that.
+void search(const ScaledProblem& problem, const Eigen::VectorXd& x, double reference, NewtonMemory& m) {
+  double length = 1;
+  for (int halvings = 0; halvings < most_halvings; ++halvings, length /= 2) {
+    m.trial = x - length * m.direction;
+    problem.velocity(m.trial, m.velocity);
+    problem.natural_map(m.trial, m.velocity, m.trial_map);
+    if (merit(m.trial_map) <= (1 - least_decrease * length) * reference) return;
+  }
+  m.trial = x - m.direction;
+}
+
+}  // namespace
+
+NewtonResult newton_iteration(ScaledProblem& problem, Eigen::VectorXd& x, const NewtonOptions& options,
+                              NewtonMemory& m) {
+  constexpr double largest_step = 1e6;
+  const Eigen::Index n = problem.rows();
+  m.jacobian.resize(n, n);
+  m.map.resize(n);
+  m.trial_map.resize(n);
+  m.best = x;
+  problem.reset_steps();
+  Reference reference;
+  NewtonResult result{0, std::numeric_limits<double>::infinity()};
+  for (;; ++result.iterations) {
+    problem.velocity(x, m.velocity);
+    const double residual = problem.residual(x, m.velocity);
+    if (residual < result.residual) {
+      result.residual = residual;
+      m.best = x;
+    }
+    if (result.residual <= options.tolerance || result.iterations == options.most_iterations ||
+        !std::isfinite(residual)) {
+      break;
+    }
+    if (options.adapt_steps) problem.adapt_steps(x, m.velocity, largest_step);
+    problem.natural_map(x, m.velocity, m.map, m.jacobian);
+    m.jacobian.diagonal().array() += regularisation;
+    m.lu.compute(m.jacobian);
+    m.direction = m.lu.solve(m.map);
+    if (!(m.direction.lpNorm<Eigen::Infinity>() < farthest)) break;
+    const double now = merit(m.map);
+    search(problem, x, options.adapt_steps ? now : reference.with(now), m);
+    x = m.trial;
+  }
+  x = m.best;
+  return result;
+}
+
+void start(const ContactProblem& problem, const ScaledProblem& scaled, const Eigen::VectorXd& impulse,
+           Eigen::VectorXd& velocity, Eigen::VectorXd& x) {
+  x.setZero(problem.rows());
+  if (impulse.isZero(0)) return;
+  const double cold = scaled.residual(x, scaled.b);
+  x = impulse.cwiseQuotient(scaled.unit);
+  scaled.velocity(x, velocity);
+  if (!(scaled.residual(x, velocity) <= cold)) x.setZero();
+}
+
+SolverReport solve_semismooth_newton(const ContactProblem& problem, Eigen::VectorXd& impulse,
+                                     const SolverOptions& options, SemismoothNewtonMemory& memory) {
+  const int limit = options.max_iterations > 0 ? options.max_iterations : 100;
+  memory.scaled.set(problem);
+  start(problem, memory.scaled, impulse, memory.newton.velocity, memory.x);
+  const NewtonResult result =
+      newton_iteration(memory.scaled, memory.x, {options.tolerance, limit, false}, memory.newton);
+  impulse = memory.x.cwiseProduct(memory.scaled.unit);
+  const SolverStatus status = result.residual <= options.tolerance ? SolverStatus::solved
+                              : result.iterations < limit          ? SolverStatus::diverged
+                                                                   : SolverStatus::iteration_limit;
+  return {status, result.iterations, result.residual, SolverMethod::semismooth_newton};
 }
 
 }  // namespace contensou

@@ -1,16 +1,54 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/LU>
 
 #include "contensou/contact/contact_problem.hpp"
 #include "contensou/contact/contact_solver.hpp"
+#include "contensou/contact/scaled_problem.hpp"
 
 namespace contensou {
 
-/// What solve_semismooth_newton keeps from one problem to the next, so that it need not allocate.
-struct SemismoothNewtonMemory {};
+/// What newton_iteration keeps from one problem to the next.
+struct NewtonMemory {
+  Eigen::VectorXd velocity, map, trial, trial_map, direction, best;
+  Eigen::MatrixXd jacobian;
+  Eigen::PartialPivLU<Eigen::MatrixXd> lu;
+};
 
-/// The method SolverMethod::semismooth_newton. Called by ContactSolver::solve, which has checked problem
+/// What solve_semismooth_newton keeps from one problem to the next, so that it need not allocate.
+struct SemismoothNewtonMemory {
+  ScaledProblem scaled;
+  Eigen::VectorXd x;
+  NewtonMemory newton;
+};
+
+struct NewtonOptions {
+  double tolerance;  ///< of natural_map_residual
+  int most_iterations;
+  bool adapt_steps;  ///< slower, sure near solutions with slow slip: see ScaledProblem::adapt_steps
+};
+
+struct NewtonResult {
+  int iterations;
+  double residual;  ///< natural_map_residual
+};
+
+/// Newton's method on h(x) = 0 from x, which is the best point met on return. The derivative of the
+/// projection includes that of the friction domain's size, ∂Π_F/∂(μΠ_N), as in Alart & Curnier (1991). Where
+/// W is singular so is the Jacobian: 1e-10 on its diagonal chooses among its solutions and leaves the
+/// iteration linear with a factor of that order. Line search: the first of 12 halvings that brings ½‖h‖²
+/// below the largest of the last five; where none does, ½‖h‖² has a minimum or a kink nearby that is no
+/// solution, and the full step is taken, away from it.
+NewtonResult newton_iteration(ScaledProblem& problem, Eigen::VectorXd& x, const NewtonOptions& options,
+                              NewtonMemory& memory);
+
+/// Λ → x: the given impulses or zero, whichever have the smaller residual.
+void start(const ContactProblem& problem, const ScaledProblem& scaled, const Eigen::VectorXd& impulse,
+           Eigen::VectorXd& velocity, Eigen::VectorXd& x);
+
+/// The method SolverMethod::semismooth_newton: newton_iteration alone, at most 100 iterations unless limited
+/// otherwise. Called by ContactSolver::solve, which has checked problem
 /// and options: `problem` is valid, b is not zero, `impulse` has the right size and is finite.
 SolverReport solve_semismooth_newton(const ContactProblem& problem, Eigen::VectorXd& impulse,
                                      const SolverOptions& options, SemismoothNewtonMemory& memory);
