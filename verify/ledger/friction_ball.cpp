@@ -19,7 +19,7 @@ struct Border {
 };
 
 /// The exact meridian, from the pole to the equator, in equal steps of the normal's angle.
-std::vector<Border> meridian(Pressure pressure) {
+std::vector<Border> compute_meridian(Pressure pressure) {
   constexpr int steps = 240;
   std::vector<Border> all;
   for (int i = 0; i < steps; ++i) {
@@ -29,6 +29,11 @@ std::vector<Border> meridian(Pressure pressure) {
                    static_cast<double>(e.eta)});
   }
   return all;
+}
+const std::vector<Border>& meridian(Pressure pressure) {
+  static const std::vector<Border> uniform = compute_meridian(Pressure::uniform);
+  static const std::vector<Border> hertz = compute_meridian(Pressure::hertz);
+  return pressure == Pressure::uniform ? uniform : hertz;
 }
 /// A step of 0.0065 of the normal's angle, radii of curvature up to 2 and h²/8: of lengths of order one.
 constexpr double mesh = 1e-4;
@@ -56,7 +61,7 @@ double volume(const std::function<double(double a, double b)>& reach) {
 }
 
 Finding sets_at_rest(Pressure pressure) {
-  const std::vector<Border> border = meridian(pressure);
+  const std::vector<Border>& border = meridian(pressure);
   const double top = highest(pressure);
   const double separate = volume([&](double a, double b) { return std::min(1 / a, top / b); });
   const double joint = volume([&](double a, double b) { return joint_reach(border, top, a, b); });
@@ -106,7 +111,7 @@ Finding one_velocity_zero() {
 Finding support_of_ball() {
   std::vector<Trial> trials;
   for (const Pressure pressure : {Pressure::uniform, Pressure::hertz}) {
-    const std::vector<Border> border = meridian(pressure);
+    const std::vector<Border>& border = meridian(pressure);
     for (const Border& n : border) {
       double support = 0;
       for (const Border& p : border) support = std::max(support, n.u * p.xi + p.eta);
@@ -166,7 +171,7 @@ Cut cut(Pressure pressure) {
 
 Finding cut_ball(Pressure pressure) {
   const Cut c = cut(pressure);
-  const std::vector<Border> border = meridian(pressure);
+  const std::vector<Border>& border = meridian(pressure);
   std::vector<Border> printed;
   for (int k = 0; k < 4000; ++k) {
     const double xi = (k + 0.5) / 4000;
@@ -198,7 +203,8 @@ Finding cut_ball(Pressure pressure) {
           "Taken to the letter, with three terms: the support function differs from Φ by up to " +
               text(p.error, 3) + " of it, the border jumps by " + text(step, 3) +
               " μλ_N at ξ*, and lies up to " + text(dent, 3) +
-              " μλ_N inside its own convex hull: there −γ_F ∈ N_B(λ_F) has no solution λ_F on the border"};
+              " μλ_N inside its own convex hull: points of the border without a normal, and no single "
+              "nearest point"};
 }
 
 }  // namespace
