@@ -32,9 +32,9 @@ struct OneContactSolution {
 /// or be not symmetric, but then there need not be one.
 ///
 /// `guess`: Λ to start from; zero for none. The solution, where unique, does not depend on it. Where the
-/// equations above do not lead to a residual of 1e-13 (a fold in σ, W not positive), a damped Newton
-/// iteration on the natural map (4.17) follows, and the better of both is returned. Bounded time, no memory
-/// allocated. All arguments finite, μ >= 0; not checked.
+/// equations above leave a residual above 1e-13 (singular W, a fold in σ, W not positive), Newton's method on
+/// the natural map (4.17) follows, then proximal point steps (a compliance of 4e-6 W_FF added and made good
+/// for), and the best is returned. Bounded time, no memory allocated. All arguments finite, μ >= 0; not checked.
 template <class Domain>
 OneContactSolution<Domain> solve_one_contact(const Domain& domain, double mu, const ContactMatrix<Domain>& w,
                                              const ContactVector<Domain>& b,
