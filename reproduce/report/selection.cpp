@@ -46,11 +46,15 @@ double Selection::largest(std::string_view column) const {
 double Selection::largest_there_is(std::string_view column) const {
   const std::size_t j = table_->column(column);
   double largest = nan;
-  for (const auto* row : rows_) {
-    const double x = number((*row)[j]).value_or(nan);
-    if (!std::isnan(x) && !(x <= largest)) largest = x;
-  }
+  for (const auto* row : rows_) largest = std::fmax(largest, number((*row)[j]).value_or(nan));
   return largest;
+}
+
+double Selection::least_there_is(std::string_view column) const {
+  const std::size_t j = table_->column(column);
+  double least = nan;
+  for (const auto* row : rows_) least = std::fmin(least, number((*row)[j]).value_or(nan));
+  return least;
 }
 
 std::vector<std::string> Selection::values(std::string_view column) const {

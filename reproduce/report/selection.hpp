@@ -25,6 +25,7 @@ class Selection {
   double largest(std::string_view column) const;
   /// Of the cells that are numbers: in tables where NaN stands for "does not apply".
   double largest_there_is(std::string_view column) const;
+  double least_there_is(std::string_view column) const;
   /// The different texts of a column, in the order they first appear in.
   std::vector<std::string> values(std::string_view column) const;
 
