@@ -12,7 +12,9 @@ namespace {
 
 constexpr std::array sweeps_between{10, 30, 90};
 constexpr int sweeps_after_path = 20;
-constexpr int most_paths = 12;
+constexpr double good =
+    1e-10;  // a residual above it is rounding only after some paths: their impulses may be smaller
+constexpr int most_paths = 24;
 constexpr int most_path_steps = 300;
 // Neither is best for all problems.
 constexpr std::array<double, 3> regularisations{1e-7, 1e-5, 1e-9};
@@ -51,12 +53,17 @@ class Ladder {
       path(attempt);
       newton(100, true);
       if (done()) return;
+      m_.x = m_.path.x;
       sweep(sweeps_after_path);
       newton(30, attempt % 2 == 1);
     }
   }
 
-  bool done() const { return left_ <= 0 || best_ <= tolerance_ || best_ <= m_.scaled.rounding(m_.best); }
+  bool done() const {
+    if (left_ <= 0 || best_ <= tolerance_) return true;
+    if (paths_ < 4 && best_ > good) return false;
+    return best_ <= m_.scaled.rounding(m_.best);
+  }
 
   void count(int iterations) {
     used_ += iterations;
@@ -95,6 +102,7 @@ class Ladder {
         m_.scaled, {regularisations[which], largest_steps[which], std::min(most_path_steps, left_)},
         m_.path));
     m_.x = m_.path.x;
+    ++paths_;
   }
 
   const ContactProblem& problem_;
@@ -102,6 +110,7 @@ class Ladder {
   int left_;
   AutomaticMemory& m_;
   int used_ = 0;
+  int paths_ = 0;
   double best_ = std::numeric_limits<double>::infinity();
 };
 

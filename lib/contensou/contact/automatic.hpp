@@ -23,12 +23,12 @@ struct AutomaticMemory {
 /// One contact: solve_one_contact. Several, or where that does not do:
 ///   1. Newton's method (semismooth_newton.hpp), 30 iterations;
 ///   2. Gauss–Seidel for 10, 30 and 90 sweeps, each followed by 1;
-///   3. up to twelve times the covering path (covering_path.hpp), each with another direction and other
+///   3. up to 24 times the covering path (covering_path.hpp), each with another direction and other
 ///   steps, each
 ///      followed by Newton's method with adapted steps, and by 20 sweeps and 1 from there.
 /// The first rung that reaches the tolerance ends it; so does a residual that is rounding (`stalled`:
 /// impulses so large, or radii so large, that doubles have no better ones). `iterations` counts Newton
-/// iterations, sweeps and steps of the path alike; without a limit of the caller's there are some 7000 at the
+/// iterations, sweeps and steps of the path alike; without a limit of the caller's there are some 12 000 at the
 /// very most.
 ///
 /// The method SolverMethod::automatic. Called by ContactSolver::solve, which has checked problem

@@ -99,13 +99,13 @@ void ScaledProblem::natural_map(const Eigen::VectorXd& x, const Eigen::VectorXd&
 void ScaledProblem::adapt_steps(const Eigen::VectorXd& x, const Eigen::VectorXd& g, double most) {
   for_each_contact(*problem_, [&]<class Domain>(const TypedGroup<Domain>& group, Eigen::Index i) {
     if constexpr (Domain::dimension > 0) {
-      using Friction = Eigen::Matrix<double, Domain::dimension, 1>;
+      using Vector = Eigen::Matrix<double, Domain::dimension, 1>;
       const Eigen::Index row = group.row(i);
       const double shortest = reset_step_[row + 1];
       const double pressed = x[row] - step_[row] * g[row];
-      const Friction force = x.segment<Domain::dimension>(row + 1);
-      const Friction slip = g.segment<Domain::dimension>(row + 1);
-      const Friction y = force - shortest * slip;
+      const Vector force = x.segment<Domain::dimension>(row + 1);
+      const Vector slip = g.segment<Domain::dimension>(row + 1);
+      const Vector y = force - shortest * slip;
       double step = shortest;
       if (pressed > 0 && y.allFinite() && !group.domain.contains(y, friction_size(group.mu[i], pressed))) {
         step = std::clamp(force.norm() / slip.norm(), shortest, most * shortest);
