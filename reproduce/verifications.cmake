@@ -53,6 +53,9 @@ contensou_run(verify_accuracy "Verification: accuracy in ulp"
 contensou_run(verify_augmented "Verification: the paper's iteration over r"
   TABLES augmented_r augmented_radius parts/claims-augmented
   DRAWN_BY ${PROJECT_SOURCE_DIR}/verify/augmented/augmented_r.gp DRAWINGS augmented_r)
+contensou_run(verify_contact "Verification: how reliable the contact solvers are, on 100 000 random problems"
+  TABLES robustness robustness_by_class robustness_profile parts/claims-contact
+  DRAWN_BY ${PROJECT_SOURCE_DIR}/verify/contact/robustness.gp DRAWINGS robustness)
 contensou_run(verify_consistency "Verification: energy, power and order of contacts on random problems"
   TABLES consistency parts/claims-consistency)
 contensou_run(verify_siconos "Verification: against Siconos, points of contact and patches cut into points"
@@ -82,4 +85,4 @@ if(bench_programs)
 endif()
 
 set(verification_statuses
-  ${verify_quadrature_status} ${verify_ledger_status} ${verify_plates_status} ${verify_ball_status} ${verify_accuracy_status} ${verify_augmented_status} ${verify_consistency_status} ${verify_siconos_status})
+  ${verify_quadrature_status} ${verify_ledger_status} ${verify_plates_status} ${verify_ball_status} ${verify_accuracy_status} ${verify_augmented_status} ${verify_contact_status} ${verify_consistency_status} ${verify_siconos_status})

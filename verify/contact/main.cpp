@@ -99,7 +99,7 @@ Outcome run_method(const Method& method) {
     };
     add(outcome.all);
     for (const auto& key : classes_of(random)) add(outcome.classes[key]);
-    if ((seed + 1) % 10000 == 0) {
+    if ((seed + 1) % 20000 == 0) {
       std::printf("\r%-18s %6d problems, %d unsolved", method.name.c_str(), outcome.all.problems,
                   outcome.all.unsolved);
       std::fflush(stdout);

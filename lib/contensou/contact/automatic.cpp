@@ -19,13 +19,15 @@ constexpr int most_path_steps = 300;
 // Neither is best for all problems.
 constexpr std::array<double, 3> regularisations{1e-7, 1e-5, 1e-9};
 constexpr std::array<double, 3> largest_steps{1e3, 1e5, 10};
+constexpr std::array<double, 4> newton_steps{1e6, 1e9, 1e3, 30};
 
 /// The rungs share the best impulses met and the number of iterations left.
 class Ladder {
  public:
   Ladder(const ContactProblem& problem, const SolverOptions& options, AutomaticMemory& memory)
       : problem_(problem),
-        tolerance_(options.tolerance),
+        wanted_(options.tolerance),
+        tolerance_(options.tolerance / 2),
         left_(options.max_iterations > 0 ? options.max_iterations : std::numeric_limits<int>::max()),
         m_(memory) {}
 
@@ -35,27 +37,28 @@ class Ladder {
     m_.best = m_.x;
     run();
     impulse = m_.best.cwiseProduct(m_.scaled.unit);
-    const SolverStatus status = best_ <= tolerance_ ? SolverStatus::solved
-                                : left_ <= 0        ? SolverStatus::iteration_limit
-                                                    : SolverStatus::stalled;
+    best_ = residual_of(problem_, impulse, m_.newton);
+    const SolverStatus status = best_ <= wanted_ ? SolverStatus::solved
+                                : left_ <= 0     ? SolverStatus::iteration_limit
+                                                 : SolverStatus::stalled;
     return {status, used_, best_, SolverMethod::automatic};
   }
 
  private:
   void run() {
-    newton(30, false);
+    newton(30, 0);
     for (const int count : sweeps_between) {
       if (done()) return;
       sweep(count);
-      newton(30, false);
+      newton(30, 0);
     }
     for (int attempt = 0; attempt < most_paths && !done(); ++attempt) {
       path(attempt);
-      newton(100, true);
+      newton(100, newton_steps[static_cast<std::size_t>(attempt) % newton_steps.size()]);
       if (done()) return;
       m_.x = m_.path.x;
       sweep(sweeps_after_path);
-      newton(30, attempt % 2 == 1);
+      newton(30, attempt % 2 == 1 ? newton_steps[0] : 0);
     }
   }
 
@@ -70,9 +73,9 @@ class Ladder {
     left_ -= iterations;
   }
 
-  void newton(int most_iterations, bool adapt_steps) {
+  void newton(int most_iterations, double largest_step) {
     const NewtonResult result = newton_iteration(
-        m_.scaled, m_.x, {tolerance_, std::min(most_iterations, left_), adapt_steps}, m_.newton);
+        m_.scaled, m_.x, {tolerance_, std::min(most_iterations, left_), largest_step}, m_.newton);
     count(result.iterations);
     if (!(result.residual < best_)) return;
     best_ = result.residual;
@@ -106,7 +109,8 @@ class Ladder {
   }
 
   const ContactProblem& problem_;
-  double tolerance_;
+  double wanted_;
+  double tolerance_;  ///< that of the rungs: what rounding makes of it in other units is left room for
   int left_;
   AutomaticMemory& m_;
   int used_ = 0;

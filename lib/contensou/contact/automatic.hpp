@@ -28,8 +28,8 @@ struct AutomaticMemory {
 ///      followed by Newton's method with adapted steps, and by 20 sweeps and 1 from there.
 /// The first rung that reaches the tolerance ends it; so does a residual that is rounding (`stalled`:
 /// impulses so large, or radii so large, that doubles have no better ones). `iterations` counts Newton
-/// iterations, sweeps and steps of the path alike; without a limit of the caller's there are some 12 000 at the
-/// very most.
+/// iterations, sweeps and steps of the path alike; without a limit of the caller's there are some 12 000 at
+/// the very most.
 ///
 /// The method SolverMethod::automatic. Called by ContactSolver::solve, which has checked problem
 /// and options: `problem` is valid, b is not zero, `impulse` has the right size and is finite.

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "contensou/contact/blocks.hpp"
+
 namespace contensou {
 namespace {
 
@@ -46,7 +48,6 @@ void search(const ScaledProblem& problem, const Eigen::VectorXd& x, double refer
 
 NewtonResult newton_iteration(ScaledProblem& problem, Eigen::VectorXd& x, const NewtonOptions& options,
                               NewtonMemory& m) {
-  constexpr double largest_step = 1e6;
   const Eigen::Index n = problem.rows();
   m.jacobian.resize(n, n);
   m.map.resize(n);
@@ -66,14 +67,14 @@ NewtonResult newton_iteration(ScaledProblem& problem, Eigen::VectorXd& x, const 
         !std::isfinite(residual)) {
       break;
     }
-    if (options.adapt_steps) problem.adapt_steps(x, m.velocity, largest_step);
+    if (options.largest_step > 0) problem.adapt_steps(x, m.velocity, options.largest_step);
     problem.natural_map(x, m.velocity, m.map, m.jacobian);
     m.jacobian.diagonal().array() += regularisation;
     m.lu.compute(m.jacobian);
     m.direction = m.lu.solve(m.map);
     if (!(m.direction.lpNorm<Eigen::Infinity>() < farthest)) break;
     const double now = merit(m.map);
-    search(problem, x, options.adapt_steps ? now : reference.with(now), m);
+    search(problem, x, options.largest_step > 0 ? now : reference.with(now), m);
     x = m.trial;
   }
   x = m.best;
@@ -90,14 +91,22 @@ void start(const ContactProblem& problem, const ScaledProblem& scaled, const Eig
   if (!(scaled.residual(x, velocity) <= cold)) x.setZero();
 }
 
+double residual_of(const ContactProblem& problem, const Eigen::VectorXd& impulse, NewtonMemory& m) {
+  natural_steps(problem, m.best);
+  m.velocity = problem.free_velocity;
+  m.velocity.noalias() += problem.delassus * impulse;
+  return natural_map_residual(problem, impulse, m.velocity, m.best);
+}
+
 SolverReport solve_semismooth_newton(const ContactProblem& problem, Eigen::VectorXd& impulse,
                                      const SolverOptions& options, SemismoothNewtonMemory& memory) {
   const int limit = options.max_iterations > 0 ? options.max_iterations : 100;
   memory.scaled.set(problem);
   start(problem, memory.scaled, impulse, memory.newton.velocity, memory.x);
-  const NewtonResult result =
-      newton_iteration(memory.scaled, memory.x, {options.tolerance, limit, false}, memory.newton);
+  NewtonResult result =
+      newton_iteration(memory.scaled, memory.x, {options.tolerance / 2, limit, 0}, memory.newton);
   impulse = memory.x.cwiseProduct(memory.scaled.unit);
+  result.residual = residual_of(problem, impulse, memory.newton);
   const SolverStatus status = result.residual <= options.tolerance ? SolverStatus::solved
                               : result.iterations < limit          ? SolverStatus::diverged
                                                                    : SolverStatus::iteration_limit;

@@ -26,7 +26,7 @@ struct SemismoothNewtonMemory {
 struct NewtonOptions {
   double tolerance;  ///< of natural_map_residual
   int most_iterations;
-  bool adapt_steps;  ///< slower, sure near solutions with slow slip: see ScaledProblem::adapt_steps
+  double largest_step;  ///< of ScaledProblem::adapt_steps, for slow slip near solutions; 0: steps as they are
 };
 
 struct NewtonResult {
@@ -46,6 +46,9 @@ NewtonResult newton_iteration(ScaledProblem& problem, Eigen::VectorXd& x, const 
 /// Λ → x: the given impulses or zero, whichever have the smaller residual.
 void start(const ContactProblem& problem, const ScaledProblem& scaled, const Eigen::VectorXd& impulse,
            Eigen::VectorXd& velocity, Eigen::VectorXd& x);
+
+/// natural_map_residual of Λ, nothing allocated.
+double residual_of(const ContactProblem& problem, const Eigen::VectorXd& impulse, NewtonMemory& memory);
 
 /// The method SolverMethod::semismooth_newton: newton_iteration alone, at most 100 iterations unless limited
 /// otherwise. Called by ContactSolver::solve, which has checked problem
