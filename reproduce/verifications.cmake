@@ -70,10 +70,14 @@ contensou_run(bench_projection "What the projection on the friction ball costs: 
   TABLES cost_projection cost_projection_front cost_projection_aims
   DRAWN_BY ${PROJECT_SOURCE_DIR}/bench/projection/cost_projection.gp DRAWINGS cost_projection)
 
+contensou_run(bench_solvers "What the contact problem costs: measuring"
+  TABLES cost_solvers cost_solvers_front cost_solver_ratios
+  DRAWN_BY ${PROJECT_SOURCE_DIR}/bench/solvers/cost_solvers.gp DRAWINGS cost_solvers)
+
 # Measured times stand until the program changes; who asks for them by name wants them measured now.
 set(bench_commands "")
 set(bench_programs "")
-foreach(program IN ITEMS bench_laws bench_projection)
+foreach(program IN ITEMS bench_laws bench_projection bench_solvers)
   list(APPEND bench_commands COMMAND ${${program}_command})
   if(TARGET ${program})
     list(APPEND bench_programs ${program})

@@ -4,6 +4,7 @@
 #include <random>
 #include <utility>
 
+#include "common/natural_units.hpp"
 #include "contact/random_problems.hpp"
 
 namespace verify::siconos {
@@ -14,21 +15,9 @@ const contensou::AnyFriction& disk() {
   return friction;
 }
 
-/// In the units of CoulombProblem. Contacts whose block of W is zero stay as they are.
-CoulombProblem scaled(const Eigen::MatrixXd& w, const Eigen::VectorXd& b, std::vector<double> mu, bool easy) {
-  Eigen::VectorXd unit(b.size());
-  for (Eigen::Index i = 0; i < b.size(); i += 3) {
-    const double norm = w.block<3, 3>(i, i).cwiseAbs().rowwise().sum().maxCoeff();
-    unit.segment<3>(i).setConstant(norm > 0 ? 1 / std::sqrt(norm) : 1);
-  }
-  CoulombProblem scaled;
-  scaled.problem.delassus = unit.asDiagonal() * w * unit.asDiagonal();
-  scaled.problem.free_velocity = unit.cwiseProduct(b);
-  scaled.problem.free_velocity /= scaled.problem.free_velocity.cwiseAbs().maxCoeff();
-  scaled.problem.groups = {{&disk(), mu}};
-  scaled.mu = std::move(mu);
-  scaled.well_conditioned = easy;
-  return scaled;
+CoulombProblem coulomb(const Eigen::MatrixXd& w, const Eigen::VectorXd& b, std::vector<double> mu,
+                       bool easy) {
+  return {bench::in_natural_units({{{&disk(), mu}}, w, b}), std::move(mu), easy};
 }
 
 }  // namespace
@@ -42,7 +31,7 @@ std::vector<CoulombProblem> hard_problems(int count) {
     for (const contensou::ContactGroup& group : random.problem.groups) {
       mu.insert(mu.end(), group.mu.begin(), group.mu.end());
     }
-    problems.push_back(scaled(random.problem.delassus, random.problem.free_velocity, mu, false));
+    problems.push_back(coulomb(random.problem.delassus, random.problem.free_velocity, mu, false));
   }
   return problems;
 }
@@ -62,7 +51,7 @@ std::vector<CoulombProblem> easy_problems(int count, std::uint64_t seed) {
     b[0] = -std::abs(b[0]);
     std::vector<double> mu(static_cast<std::size_t>(contacts));
     for (double& m : mu) m = 0.1 * uniform();
-    problems.push_back(scaled(w, b, std::move(mu), true));
+    problems.push_back(coulomb(w, b, std::move(mu), true));
   }
   return problems;
 }

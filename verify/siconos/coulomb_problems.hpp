@@ -7,9 +7,7 @@
 
 namespace verify::siconos {
 
-/// A problem of Coulomb contacts alone, in units in which every contact's own block of W has norm 1 (its
-/// largest sum of |entries| in a row) and the largest |b| is 1: Λ_i = s_i Λ'_i, γ_i = γ'_i/s_i leaves
-/// Coulomb's law as it is, and measures that add velocities to impulses, as Siconos's does, get a meaning.
+/// A problem of Coulomb contacts alone, in the units of bench::in_natural_units.
 struct CoulombProblem {
   contensou::ContactProblem problem;
   std::vector<double> mu;
