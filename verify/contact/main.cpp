@@ -37,7 +37,7 @@ struct Method {
 
 /// The slow ones take a subset.
 const std::vector<Method> methods{{"automatic", SolverMethod::automatic, 100000},
-                                  {"semismooth_newton", SolverMethod::semismooth_newton, 100000},
+                                  {"semismooth_newton", SolverMethod::semismooth_newton, 20000},
                                   {"gauss_seidel", SolverMethod::gauss_seidel, 10000},
                                   {"modified_newton", SolverMethod::modified_newton, 10000}};
 

@@ -19,6 +19,7 @@ constexpr int most_path_steps = 300;
 // Neither is best for all problems.
 constexpr std::array<double, 3> regularisations{1e-7, 1e-5, 1e-9};
 constexpr std::array<double, 3> largest_steps{1e3, 1e5, 10};
+constexpr std::array<double, 5> newton_regularisations{1e-10, 1e-13, 1e-7, 1e-15, 1e-5};
 constexpr std::array<double, 4> newton_steps{1e6, 1e9, 1e3, 30};
 
 /// The rungs share the best impulses met and the number of iterations left.
@@ -54,7 +55,8 @@ class Ladder {
     }
     for (int attempt = 0; attempt < most_paths && !done(); ++attempt) {
       path(attempt);
-      newton(100, newton_steps[static_cast<std::size_t>(attempt) % newton_steps.size()]);
+      newton(100, newton_steps[static_cast<std::size_t>(attempt) % newton_steps.size()],
+             newton_regularisations[static_cast<std::size_t>(attempt) % newton_regularisations.size()]);
       if (done()) return;
       m_.x = m_.path.x;
       sweep(sweeps_after_path);
@@ -73,9 +75,10 @@ class Ladder {
     left_ -= iterations;
   }
 
-  void newton(int most_iterations, double largest_step) {
+  void newton(int most_iterations, double largest_step, double regularisation = 1e-10) {
     const NewtonResult result = newton_iteration(
-        m_.scaled, m_.x, {tolerance_, std::min(most_iterations, left_), largest_step}, m_.newton);
+        m_.scaled, m_.x, {tolerance_, std::min(most_iterations, left_), largest_step, regularisation},
+        m_.newton);
     count(result.iterations);
     if (!(result.residual < best_)) return;
     best_ = result.residual;

@@ -10,7 +10,6 @@
 namespace contensou {
 namespace {
 
-constexpr double regularisation = 1e-10;
 constexpr int most_halvings = 12;
 constexpr double least_decrease = 2e-4;  // of ½‖h‖² for a full step, Armijo
 constexpr std::size_t remembered = 5;
@@ -69,7 +68,7 @@ NewtonResult newton_iteration(ScaledProblem& problem, Eigen::VectorXd& x, const 
     }
     if (options.largest_step > 0) problem.adapt_steps(x, m.velocity, options.largest_step);
     problem.natural_map(x, m.velocity, m.map, m.jacobian);
-    m.jacobian.diagonal().array() += regularisation;
+    m.jacobian.diagonal().array() += options.regularisation;
     m.lu.compute(m.jacobian);
     m.direction = m.lu.solve(m.map);
     if (!(m.direction.lpNorm<Eigen::Infinity>() < farthest)) break;

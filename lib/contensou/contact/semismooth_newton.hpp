@@ -27,6 +27,7 @@ struct NewtonOptions {
   double tolerance;  ///< of natural_map_residual
   int most_iterations;
   double largest_step;  ///< of ScaledProblem::adapt_steps, for slow slip near solutions; 0: steps as they are
+  double regularisation = 1e-10;  ///< on the Jacobian's diagonal
 };
 
 struct NewtonResult {
@@ -36,8 +37,8 @@ struct NewtonResult {
 
 /// Newton's method on h(x) = 0 from x, which is the best point met on return. The derivative of the
 /// projection includes that of the friction domain's size, ∂Π_F/∂(μΠ_N), as in Alart & Curnier (1991). Where
-/// W is singular so is the Jacobian: 1e-10 on its diagonal chooses among its solutions and leaves the
-/// iteration linear with a factor of that order. Line search: the first of 12 halvings that brings ½‖h‖²
+/// W is singular so is the Jacobian: `regularisation` on its diagonal chooses among its solutions and leaves
+/// the iteration linear with a factor of that order. Line search: the first of 12 halvings that brings ½‖h‖²
 /// below the largest of the last five; where none does, ½‖h‖² has a minimum or a kink nearby that is no
 /// solution, and the full step is taken, away from it.
 NewtonResult newton_iteration(ScaledProblem& problem, Eigen::VectorXd& x, const NewtonOptions& options,
