@@ -79,6 +79,18 @@ std::string augmented_r(const fs::path& data) {
       rounded(automatic.first("iterations_1e10"), 3));
 }
 
+std::string cost_solvers(const fs::path&) {
+  return "Largest residual, one measure for all solvers, over the time of one problem from a cold start. "
+         "Hollow: "
+         "the solver leaves problems unsolved. Halo: Pareto front of those that solve all of the family. "
+         "Orange: Siconos.";
+}
+
+std::string robustness(const fs::path&) {
+  return "Share of the random problems solved to 10<sup>−10</sup> within a time per problem, from a cold "
+         "start.";
+}
+
 std::string siconos_patch(const fs::path& data) {
   const Table table = contensou::read_table(data / "siconos_patch.tsv");
   const Selection sticking = Selection(table).where("motion", "sticking").where("set", "rings");
@@ -98,10 +110,8 @@ std::string siconos_patch(const fs::path& data) {
 
 std::string caption(const std::string& name, const fs::path& data) {
   static const std::map<std::string, std::string (*)(const fs::path&)> captions{
-      {"accuracy", accuracy},
-      {"augmented_r", augmented_r},
-      {"cost_projection", cost_projection},
-      {"siconos_patch", siconos_patch}};
+      {"accuracy", accuracy},         {"augmented_r", augmented_r}, {"cost_projection", cost_projection},
+      {"cost_solvers", cost_solvers}, {"robustness", robustness},   {"siconos_patch", siconos_patch}};
   const auto words = captions.find(name);
   return words == captions.end() ? "" : words->second(data);
 }

@@ -21,7 +21,10 @@ constexpr Pair methods[] = {{"exact", "this library"},
                             {"textbook_ke_gsl", "K, E (GSL)"},
                             {"carlson_boost", "Carlson (Boost)"},
                             {"printed_series", "series as printed"},
-                            {"printed", "as printed"}};
+                            {"printed", "as printed"},
+                            {"semismooth_newton", "semismooth Newton alone"},
+                            {"gauss_seidel", "Gauss–Seidel"},
+                            {"modified_newton", "the paper’s Modified Newton"}};
 
 std::string find(std::span<const Pair> words, std::string_view word) {
   for (const auto& [name, text] : words) {

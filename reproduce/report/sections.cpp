@@ -119,10 +119,12 @@ std::string ball_section(const fs::path& report) {
 }
 
 std::string contact_section(const fs::path& report) {
-  return shown(report, {{"Does it always end well?", "robustness", {"robustness", "robustness_by_class"}},
-                        {"Is the solution what the laws say?", "", {"consistency"}},
-                        {"Where <i>r</i> comes from", "augmented_r", {"augmented_r", "augmented_radius"}},
-                        {"Somebody else’s solver", "siconos_patch", {"siconos_coulomb", "siconos_patch"}}});
+  return shown(
+      report,
+      {{"Does it always end well?", "robustness", {"robustness", "robustness_by_class"}},
+       {"Is the solution what the laws say?", "", {"consistency"}},
+       {"Where <i>r</i> comes from", "augmented_r", {"augmented_r", "augmented_radius"}},
+       {"Somebody else’s solver", "siconos_patch", {"siconos_coulomb", "siconos_patch", "siconos_ball"}}});
 }
 
 std::string cost_section(const fs::path& report) {
@@ -130,7 +132,9 @@ std::string cost_section(const fs::path& report) {
                         {"The projection on the friction ball",
                          "cost_projection",
                          {"cost_projection", "cost_projection_front", "cost_projection_aims"}},
-                        {"The contact problem", "cost_solvers", {"cost_solvers", "cost_solver_ratios"}}});
+                        {"The contact problem",
+                         "cost_solvers",
+                         {"cost_solvers", "cost_solvers_front", "cost_solver_ratios"}}});
 }
 
 }  // namespace report

@@ -7,6 +7,7 @@
 #include <map>
 #include <vector>
 
+#include "contact_summaries.hpp"
 #include "html.hpp"
 #include "names.hpp"
 #include "number.hpp"
@@ -187,6 +188,13 @@ std::string summary(const std::string& name, const Table& table) {
       {"cost_laws", cost_laws},
       {"cost_laws_front", cost_front},
       {"cost_ratios", cost_ratios},
+      {"cost_projection_aims", aims_summary},
+      {"cost_solver_ratios", aims_summary},
+      {"ball", ball_summary},
+      {"robustness", robustness_summary},
+      {"consistency", consistency_summary},
+      {"siconos_coulomb", siconos_coulomb_summary},
+      {"siconos_ball", siconos_ball_summary},
       {"claims", claims},
       {"ledger", ledger}};
   const auto sentence = sentences.find(name);
