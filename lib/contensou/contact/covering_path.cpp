@@ -105,7 +105,8 @@ class Path {
       factor();
       m_.right.head(n_) = m_.map;
       m_.right[n_] = m_.tangent.dot(m_.trial - m_.predicted);
-      m_.trial -= m_.lu.solve(m_.right);
+      m_.correction = m_.lu.solve(m_.right);
+      m_.trial -= m_.correction;
       if (!((m_.trial - m_.predicted).norm() < largest_turn * length)) return -1;
     }
     return -1;

@@ -9,7 +9,7 @@ namespace contensou {
 
 /// What follow_covering_path keeps from one problem to the next.
 struct CoveringPathMemory {
-  Eigen::VectorXd point, tangent, predicted, trial, right;  ///< (x, z)
+  Eigen::VectorXd point, tangent, predicted, trial, right, correction;  ///< (x, z)
   Eigen::VectorXd x, velocity, map, diagonal;
   Eigen::MatrixXd jacobian, bordered;
   Eigen::PartialPivLU<Eigen::MatrixXd> lu;

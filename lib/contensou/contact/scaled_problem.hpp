@@ -20,7 +20,8 @@ class ScaledProblem {
   Eigen::Index rows() const { return b.size(); }
   /// g = w x + b.
   void velocity(const Eigen::VectorXd& x, Eigen::VectorXd& g) const;
-  /// natural_map_residual of x with velocity g.
+  /// natural_map_residual of x with velocity g; `rounding` of x where that is larger than 1e-6 and than the
+  /// residual.
   double residual(const Eigen::VectorXd& x, const Eigen::VectorXd& g) const;
   /// What rounding x to doubles makes of the residual, as an order of magnitude.
   double rounding(const Eigen::VectorXd& x) const;
