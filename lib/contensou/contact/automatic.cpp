@@ -122,7 +122,8 @@ class Ladder {
 };
 
 /// The problem of a single contact, at once; its residual.
-double solve_single(const ContactProblem& problem, Eigen::VectorXd& impulse, int& iterations) {
+double solve_single(const ContactProblem& problem, Eigen::VectorXd& impulse, NewtonMemory& memory,
+                    int& iterations) {
   for_each_contact(problem, [&]<class Domain>(const TypedGroup<Domain>& group, Eigen::Index i) {
     const ContactMatrix<Domain> w = problem.delassus;
     const ContactVector<Domain> b = problem.free_velocity;
@@ -131,7 +132,7 @@ double solve_single(const ContactProblem& problem, Eigen::VectorXd& impulse, int
     impulse = solution.impulse;
     iterations = solution.iterations;
   });
-  return natural_map_residual(problem, impulse);
+  return residual_of(problem, impulse, memory);
 }
 
 }  // namespace
@@ -140,7 +141,7 @@ SolverReport solve_automatic(const ContactProblem& problem, Eigen::VectorXd& imp
                              const SolverOptions& options, AutomaticMemory& memory) {
   if (problem.contacts() == 1) {
     int iterations = 0;
-    const double residual = solve_single(problem, impulse, iterations);
+    const double residual = solve_single(problem, impulse, memory.newton, iterations);
     if (residual <= options.tolerance) {
       return {SolverStatus::solved, iterations, residual, SolverMethod::automatic};
     }

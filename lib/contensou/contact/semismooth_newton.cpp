@@ -91,10 +91,10 @@ void start(const ContactProblem& problem, const ScaledProblem& scaled, const Eig
 }
 
 double residual_of(const ContactProblem& problem, const Eigen::VectorXd& impulse, NewtonMemory& m) {
-  natural_steps(problem, m.best);
+  natural_steps(problem, m.natural);
   m.velocity = problem.free_velocity;
   m.velocity.noalias() += problem.delassus * impulse;
-  return natural_map_residual(problem, impulse, m.velocity, m.best);
+  return natural_map_residual(problem, impulse, m.velocity, m.natural);
 }
 
 SolverReport solve_semismooth_newton(const ContactProblem& problem, Eigen::VectorXd& impulse,

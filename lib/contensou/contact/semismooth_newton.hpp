@@ -11,7 +11,7 @@ namespace contensou {
 
 /// What newton_iteration keeps from one problem to the next.
 struct NewtonMemory {
-  Eigen::VectorXd velocity, map, trial, trial_map, direction, best;
+  Eigen::VectorXd velocity, map, trial, trial_map, direction, best, natural;
   Eigen::MatrixXd jacobian;
   Eigen::PartialPivLU<Eigen::MatrixXd> lu;
 };
