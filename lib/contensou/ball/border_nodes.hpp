@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 #include "contensou/ball/bracketed_newton.hpp"
@@ -49,12 +51,39 @@ class BorderNodes {
     for (std::size_t i = 1; i < stride; ++i) within += static_cast<std::size_t>(before(nodes_[k + i]));
     return {nodes_[k + within], nodes_[k + within + 1]};
   }
+  /// The border at x in [0, 1], by cubics through both ends of the cell with their derivatives.
+  BorderNode interpolated(double x) const;
 
  private:
   static constexpr std::size_t stride = 8;
   static constexpr std::size_t cells = stride * stride;
   std::array<BorderNode, cells + 1> nodes_;
 };
+
+inline BorderNode BorderNodes::interpolated(double x) const {
+  const double place = static_cast<double>(cells) * (1 - std::sqrt(1 - x));
+  const BorderNode* const left = &nodes_[std::min(static_cast<std::size_t>(place), cells - 1)];
+  const BorderNode* const right = left + 1;
+  const double width = right->x - left->x;
+  const double t = (x - left->x) / width;
+  // start + t (first + t (second + t third)); in the first cell ξ or η keeps its relative accuracy, start =
+  // 0.
+  struct Cubic {
+    double start, first, second, third;
+    Cubic(double from, double slope_from, double to, double slope_to)
+        : start(from),
+          first(slope_from),
+          second(3 * (to - from) - 2 * slope_from - slope_to),
+          third(slope_from + slope_to - 2 * (to - from)) {}
+    double at(double s) const { return start + s * (first + s * (second + s * third)); }
+    double slope(double s) const { return first + s * (2 * second + 3 * s * third); }
+  };
+  const double fall = width * left->second;
+  const double fall_right = width * right->second;
+  const Cubic across(left->across, fall, right->across, fall_right);
+  const Cubic along(left->along, -left->x * fall, right->along, -right->x * fall_right);
+  return {x, across.at(t), along.at(t), across.slope(t) / width};
+}
 
 /// Where a function is zero in a cell, nearly, and minus its derivative there.
 struct Start {

@@ -43,6 +43,13 @@ class SmoothPlate {
   PlateProjection project(Meridian p, double size) const;
   double curvature_radius(const PlateProjection& q) const;
 
+  /// Whether p, not zero, is beyond the tangent of one of the two stored border points next to its ray: then
+  /// it is outside. Cheap, and false for few points outside, all within some 1e-3 of the border.
+  bool beyond_tangents(Meridian p, double size) const;
+  /// The border and its derivative where the normal is (x, 1), `inner`, or (1, x), x in [0, 1], interpolated
+  /// between stored points: for a fraction of the law's price, and to some 1e-8 (1e-6 the derivative).
+  BorderNode interpolated(bool inner, double x) const { return (inner ? inner_ : outer_).interpolated(x); }
+
  private:
   // F and what else is found zero is taken to be so at this part of its largest term: the rounding of its
   // three.
@@ -112,6 +119,20 @@ PlateRay SmoothPlate<L>::ray(double t, double tau) const {
   // The gauge is the largest of p·n/support(n) over all normals n: an error of n counts with its square.
   const double gauge = (a * border.x + b) / (border.across * border.x + border.along);
   return {gauge, direction(inner, border.x), end.iterations};
+}
+
+template <FrictionLaw L>
+bool SmoothPlate<L>::beyond_tangents(Meridian p, double size) const {
+  const BorderNode& seam = inner_.back();
+  const bool inner = p.t * seam.along <= p.tau * seam.across;
+  const double a = inner ? p.t : p.tau;
+  const double b = inner ? p.tau : p.t;
+  const auto [left, right] =
+      (inner ? inner_ : outer_).cell([=](const BorderNode& n) { return a * n.along - b * n.across > 0; });
+  const auto beyond = [=](const BorderNode& n) {
+    return (a - size * n.across) * n.x + (b - size * n.along) > 0;
+  };
+  return beyond(left) || beyond(right);
 }
 
 template <FrictionLaw L>

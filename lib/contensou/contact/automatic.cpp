@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "contensou/contact/one_contact.hpp"
+#include "contensou/contact/single_contact.hpp"
 
 namespace contensou {
 namespace {
@@ -121,30 +121,13 @@ class Ladder {
   double best_ = std::numeric_limits<double>::infinity();
 };
 
-/// The problem of a single contact, at once; its residual.
-double solve_single(const ContactProblem& problem, Eigen::VectorXd& impulse, NewtonMemory& memory,
-                    int& iterations) {
-  for_each_contact(problem, [&]<class Domain>(const TypedGroup<Domain>& group, Eigen::Index i) {
-    const ContactMatrix<Domain> w = problem.delassus;
-    const ContactVector<Domain> b = problem.free_velocity;
-    const ContactVector<Domain> guess = impulse;
-    const auto solution = solve_one_contact<Domain>(group.domain, group.mu[i], w, b, guess);
-    impulse = solution.impulse;
-    iterations = solution.iterations;
-  });
-  return residual_of(problem, impulse, memory);
-}
-
 }  // namespace
 
 SolverReport solve_automatic(const ContactProblem& problem, Eigen::VectorXd& impulse,
                              const SolverOptions& options, AutomaticMemory& memory) {
   if (problem.contacts() == 1) {
-    int iterations = 0;
-    const double residual = solve_single(problem, impulse, memory.newton, iterations);
-    if (residual <= options.tolerance) {
-      return {SolverStatus::solved, iterations, residual, SolverMethod::automatic};
-    }
+    const SolverReport report = solve_single_contact(problem, impulse, options);
+    if (report.status == SolverStatus::solved) return report;
   }
   return Ladder(problem, options, memory).climb(impulse);
 }

@@ -117,6 +117,22 @@ double row_sum_norm(const Matrix& w) {
   return w.cwiseAbs().rowwise().sum().maxCoeff();
 }
 
+/// r_i [kg] of a contact with ‖W_ii‖ = `norm`; `fallback` where that is zero or below the normal numbers.
+inline double natural_step(double norm, double fallback) {
+  return norm >= std::numeric_limits<double>::min() ? 1 / norm : fallback;
+}
+
+/// One contact's part in natural_map_residual: ‖Λ − Π(Λ − rγ)‖/(rV), V = `speed`. Not finite input gives
+/// infinity, never an exception.
+template <class Domain>
+double contact_residual(const Domain& domain, double mu, const ContactVector<Domain>& lambda,
+                        const ContactVector<Domain>& gamma, double r, double speed) {
+  const ContactVector<Domain> x = lambda - r * gamma;
+  if (!x.allFinite()) return std::numeric_limits<double>::infinity();
+  const ContactVector<Domain> difference = lambda - project_contact(domain, mu, x);
+  return difference.isZero(0) ? 0 : (difference / r / speed).norm();
+}
+
 /// r_i [kg] of each contact: 1/‖W_ii‖ in the row-sum norm; where W_ii is zero (or below the normal numbers),
 /// 1/(largest ‖W_jj‖), and 1 kg where all are. `step` is resized to the number of contacts.
 void natural_steps(const ContactProblem& problem, Eigen::VectorXd& step);

@@ -78,7 +78,6 @@ void require_valid(const ContactProblem& problem) {
 }
 
 void natural_steps(const ContactProblem& problem, Eigen::VectorXd& step) {
-  constexpr double smallest = std::numeric_limits<double>::min();
   step.resize(static_cast<Eigen::Index>(problem.contacts()));
   double largest = 0;
   for_each_contact(problem, [&](const auto& group, Eigen::Index i) {
@@ -86,27 +85,21 @@ void natural_steps(const ContactProblem& problem, Eigen::VectorXd& step) {
     step[group.first_contact + i] = norm;
     largest = std::max(largest, norm);
   });
-  const double fallback = largest >= smallest ? 1 / largest : 1;
-  for (double& r : step) r = r >= smallest ? 1 / r : fallback;
+  const double fallback = natural_step(largest, 1);
+  for (double& r : step) r = natural_step(r, fallback);
 }
 
 double natural_map_residual(const ContactProblem& problem, const Eigen::VectorXd& impulse,
                             const Eigen::VectorXd& velocity, const Eigen::VectorXd& step) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   if (impulse.size() == 0) return 0;
   const double largest = problem.free_velocity.lpNorm<Eigen::Infinity>();
   double residual = 0;
   for_each_contact(problem, [&]<class Domain>(const TypedGroup<Domain>& group, Eigen::Index i) {
-    const double r = step[group.first_contact + i];
     const ContactVector<Domain> lambda = group.segment(impulse, i);
-    const ContactVector<Domain> x = lambda - r * group.segment(velocity, i);
-    if (!x.allFinite()) {
-      residual = infinity;
-      return;
-    }
-    const ContactVector<Domain> difference = lambda - project_contact(group.domain, group.mu[i], x);
-    if (difference.isZero(0)) return;
-    residual = std::max(residual, (difference / r / largest).norm());
+    const ContactVector<Domain> gamma = group.segment(velocity, i);
+    const double r = step[group.first_contact + i];
+    residual =
+        std::max(residual, contact_residual<Domain>(group.domain, group.mu[i], lambda, gamma, r, largest));
   });
   return residual;
 }

@@ -1,14 +1,13 @@
 #pragma once
 
-#include <Eigen/LU>
-
 #include "contensou/contact/blocks.hpp"
+#include "contensou/contact/small_linear.hpp"
 
 namespace contensou::detail {
 
-/// Newton's method on one contact's natural map Λ − Π(Λ − rγ) = 0, LG03 (4.17), with a line search on its norm:
-/// for the last digits, and for contacts that the equations of slip_search.hpp do not cover. Improves `impulse`
-/// as far as it can and returns the map's residual ‖Λ − Π‖/r, a velocity.
+/// Newton's method on one contact's natural map Λ − Π(Λ − rγ) = 0, LG03 (4.17), with a line search on its
+/// norm: for the last digits, and for contacts that the equations of slip_search.hpp do not cover. Improves
+/// `impulse` as far as it can and returns the map's residual ‖Λ − Π‖/r, a velocity.
 template <class Domain>
 double polish(const Domain& domain, double mu, const ContactMatrix<Domain>& w, const ContactVector<Domain>& b,
               double goal, ContactVector<Domain>& impulse, int& iterations) {
@@ -24,7 +23,7 @@ double polish(const Domain& domain, double mu, const ContactMatrix<Domain>& w, c
   Vector rest = impulse - project_contact(domain, mu, x, jacobian);
   for (int i = 0; i < most_iterations && rest.norm() > r * goal; ++i) {
     const Matrix system = Matrix::Identity() - jacobian * (Matrix::Identity() - r * w);
-    const Vector step = -Eigen::FullPivLU<Matrix>(system).solve(rest);
+    const Vector step = -solve_pivoted<Vector::RowsAtCompileTime>(system, rest);
     if (!step.allFinite()) break;
     double t = 1;
     Vector next_rest;

@@ -2,10 +2,12 @@
 
 #include <Eigen/LU>
 #include <cmath>
+#include <limits>
 
 #include "contensou/contact/natural_newton.hpp"
 #include "contensou/contact/reduced_contact.hpp"
 #include "contensou/contact/slip_search.hpp"
+#include "contensou/contact/small_linear.hpp"
 
 namespace contensou {
 namespace {
@@ -26,17 +28,15 @@ class OneContact {
   using Solution = OneContactSolution<Domain>;
 
   OneContact(const Domain& domain, double mu, const Matrix& w, const Vector& b)
-      : domain_(domain), w_(w), b_(b), speed_(b.cwiseAbs().maxCoeff()), unit_(speed_ / w(0, 0)) {
-    const double scale = 1 / w(0, 0);
-    const Friction column = scale * w.template bottomLeftCorner<dimension, 1>();
-    const Friction row = scale * w.template topRightCorner<1, dimension>().transpose();
-    c_.a = scale * w.template bottomRightCorner<dimension, dimension>() - column * row.transpose();
-    c_.n0 = -b[0] / speed_;
-    c_.b = b.template tail<dimension>() / speed_ + column * c_.n0;
-    c_.g = -row;
-    c_.mu = mu;
-    regularise(scale * w.diagonal().template tail<dimension>());
-  }
+      : domain_(domain),
+        w_(w),
+        b_(b),
+        speed_(b.cwiseAbs().maxCoeff()),
+        unit_(speed_ / w(0, 0)),
+        c_(reduced(mu, w, b, speed_)),
+        secular_(c_) {}
+  OneContact(const OneContact&) = delete;
+  OneContact& operator=(const OneContact&) = delete;
 
   Solution solve(const Vector& guess) const {
     Solution stick = try_stick();
@@ -60,6 +60,22 @@ class OneContact {
   }
 
  private:
+  using Reduced = detail::ReducedContact<dimension>;
+
+  static Reduced reduced(double mu, const Matrix& w, const Vector& b, double speed) {
+    Reduced c;
+    const double scale = 1 / w(0, 0);
+    const Friction column = scale * w.template bottomLeftCorner<dimension, 1>();
+    const Friction row = scale * w.template topRightCorner<1, dimension>().transpose();
+    c.a = scale * w.template bottomRightCorner<dimension, dimension>() - column * row.transpose();
+    c.n0 = -b[0] / speed;
+    c.b = b.template tail<dimension>() / speed + column * c.n0;
+    c.g = -row;
+    c.mu = mu;
+    regularise(scale * w.diagonal().template tail<dimension>(), c);
+    return c;
+  }
+
   Vector velocity(const Vector& impulse) const { return w_ * impulse + b_; }
 
   Solution unsolved() const {
@@ -111,28 +127,43 @@ class OneContact {
 
   /// A singular or nearly singular a is rounding in some direction, and as likely as not negative there. A
   /// compliance that moves the contact by less than the tolerance makes it positive definite again.
-  void regularise(const Friction& diagonal) {
+  static void regularise(const Friction& diagonal, Reduced& c) {
     constexpr double singular = 1e-9;
     constexpr double compliance = 0x1p-45;
-    if (!(c_.a.determinant() > singular * diagonal.prod())) c_.a.diagonal() += compliance * diagonal;
+    if (!(c.a.determinant() > singular * diagonal.prod())) c.a.diagonal() += compliance * diagonal;
   }
 
   /// The friction that stops the contact, if the domain has it.
   Solution try_stick() const {
-    Friction x = Friction::Zero();
-    if (!c_.b.isZero(0)) x = -solve_a(c_.b);
+    // By Cramer's rule, which loses what the determinant does.
+    constexpr double regular = 1e-2;
+    constexpr double near_singular = 1e-6;
+    const auto [p, det] = secular_.polynomials().value(0, 0);
+    const double reference = c_.a.diagonal().prod();
+    Friction x = p / -det;
+    if (det > near_singular * reference && certainly_slips(x)) return unsolved();
+    if (c_.b.isZero(0)) {
+      x.setZero();
+    } else if (!(det > regular * reference)) {
+      x = -detail::solve_pivoted<dimension>(c_.a, c_.b, 0);
+    }
     const double normal = c_.normal(x);
     if (!(normal > 0 && x.allFinite()) || !domain_.contains(x, friction_size(c_.mu, normal)))
       return unsolved();
     return sticking(normal, x, 0);
   }
 
-  Friction solve_a(const Friction& y) const {
-    // Cramer's rule loses what the determinant does.
-    constexpr double regular = 1e-2;
-    const auto [p, det] = detail::CramerPolynomials<dimension>(c_).value(0, 0);
-    if (det > regular * c_.a.diagonal().prod()) return p / det;
-    return Eigen::FullPivLU<Eigen::Matrix<double, dimension, dimension>>(c_.a).setThreshold(0.0).solve(y);
+  /// Whether friction near x is beyond the domain; false for some that is. Allows for what Cramer's rule
+  /// loses.
+  bool certainly_slips(const Friction& x) const {
+    constexpr double margin = 1 + 1e-6;
+    const double size = margin * friction_size(c_.mu, c_.normal(x));
+    if constexpr (dimension == 2) {
+      return x.squaredNorm() > size * size;
+    } else {
+      const double t = std::sqrt(x[0] * x[0] + x[1] * x[1]);
+      return size > 0 && domain_.plate().beyond_tangents({t, std::abs(x[2])}, size);
+    }
   }
 
   Solution search(const Vector& guess) const {
@@ -141,7 +172,7 @@ class OneContact {
       const Friction warm = velocity(guess).template tail<dimension>() / speed_;
       if (warm.squaredNorm() > 0) gamma = warm;
     }
-    const auto end = detail::search_slip(domain_, c_, gamma);
+    const auto end = detail::search_slip(domain_, c_, secular_, gamma);
     if (!end.found) return unsolved();
     if (end.sticks) return sticking(end.normal, end.friction, end.iterations);
     return slipping(end.normal, end.friction, end.direction, end.iterations);
@@ -152,7 +183,8 @@ class OneContact {
   const Vector& b_;
   double speed_;  ///< V
   double unit_;   ///< V/W_NN
-  detail::ReducedContact<dimension> c_;
+  Reduced c_;
+  detail::Secular<dimension> secular_;
 };
 
 /// The proximal point method: a compliance δ is added that makes the problem easy, and its effect taken away

@@ -26,15 +26,17 @@ struct OneContactSolution {
 /// Where b_N >= 0, the contact opens: Λ = 0. Else Λ_N > 0, and γ_N = 0 gives it from Λ_F. The contact sticks
 /// if the Λ_F that stops it is within B(μΛ_N). If not, Λ_F is on the border and γ_F along the inward normal
 /// there: with γ_F = −σD(u)Λ_F, where the diagonal D(u) is that of the ellipsoid which touches the border
-/// where the slip ratio is u, (A + σD)Λ_F = −b' is linear, and what remains is one equation in σ for each u,
-/// and one in u (a disk has D = I and no u). Both are solved by bracketed Newton iterations. For W symmetric
-/// and positive definite both have a solution, whatever μ; W may also be singular, have entries of any size
-/// or be not symmetric, but then there need not be one.
+/// where the slip ratio is u, (A + σD)Λ_F = −b' is linear, and what remains are two equations, in σ and in u
+/// (a disk has D = I and no u). Newton's method solves both at once, mostly in 4 or 5 steps, the first of
+/// them on a border interpolated between stored points; where it does not converge, bracketed iterations
+/// solve one in the other. For W symmetric and positive definite both have a solution, whatever μ; W may also
+/// be singular, have entries of any size or be not symmetric, but then there need not be one.
 ///
 /// `guess`: Λ to start from; zero for none. The solution, where unique, does not depend on it. Where the
 /// equations above leave a residual above 1e-13 (singular W, a fold in σ, W not positive), Newton's method on
 /// the natural map (4.17) follows, then proximal point steps (a compliance of 4e-6 W_FF added and made good
-/// for), and the best is returned. Bounded time, no memory allocated. All arguments finite, μ >= 0; not checked.
+/// for), and the best is returned. Bounded time, no memory allocated. All arguments finite, μ >= 0; not
+/// checked.
 template <class Domain>
 OneContactSolution<Domain> solve_one_contact(const Domain& domain, double mu, const ContactMatrix<Domain>& w,
                                              const ContactVector<Domain>& b,
