@@ -1,6 +1,5 @@
 #include "contensou/contact/one_contact.hpp"
 
-#include <Eigen/LU>
 #include <cmath>
 #include <limits>
 
@@ -33,7 +32,7 @@ class OneContact {
         b_(b),
         speed_(b.cwiseAbs().maxCoeff()),
         unit_(speed_ / w(0, 0)),
-        c_(reduced(mu, w, b, speed_)),
+        c_(detail::reduce_contact<dimension>(mu, w, b, speed_)),
         secular_(c_) {}
   OneContact(const OneContact&) = delete;
   OneContact& operator=(const OneContact&) = delete;
@@ -60,22 +59,6 @@ class OneContact {
   }
 
  private:
-  using Reduced = detail::ReducedContact<dimension>;
-
-  static Reduced reduced(double mu, const Matrix& w, const Vector& b, double speed) {
-    Reduced c;
-    const double scale = 1 / w(0, 0);
-    const Friction column = scale * w.template bottomLeftCorner<dimension, 1>();
-    const Friction row = scale * w.template topRightCorner<1, dimension>().transpose();
-    c.a = scale * w.template bottomRightCorner<dimension, dimension>() - column * row.transpose();
-    c.n0 = -b[0] / speed;
-    c.b = b.template tail<dimension>() / speed + column * c.n0;
-    c.g = -row;
-    c.mu = mu;
-    regularise(scale * w.diagonal().template tail<dimension>(), c);
-    return c;
-  }
-
   Vector velocity(const Vector& impulse) const { return w_ * impulse + b_; }
 
   Solution unsolved() const {
@@ -123,14 +106,6 @@ class OneContact {
     } else {
       return domain_.boundary_point(1, direction);
     }
-  }
-
-  /// A singular or nearly singular a is rounding in some direction, and as likely as not negative there. A
-  /// compliance that moves the contact by less than the tolerance makes it positive definite again.
-  static void regularise(const Friction& diagonal, Reduced& c) {
-    constexpr double singular = 1e-9;
-    constexpr double compliance = 0x1p-45;
-    if (!(c.a.determinant() > singular * diagonal.prod())) c.a.diagonal() += compliance * diagonal;
   }
 
   /// The friction that stops the contact, if the domain has it.
@@ -183,7 +158,7 @@ class OneContact {
   const Vector& b_;
   double speed_;  ///< V
   double unit_;   ///< V/W_NN
-  Reduced c_;
+  detail::ReducedContact<dimension> c_;
   detail::Secular<dimension> secular_;
 };
 

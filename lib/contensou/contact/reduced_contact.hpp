@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <cmath>
 
 namespace contensou::detail {
@@ -21,6 +22,30 @@ struct ReducedContact {
 
   double normal(const Vector& x) const { return n0 + g.dot(x); }
 };
+
+/// W and b without Λ_N, `speed` = V. A singular or nearly singular a is rounding in some direction, and as
+/// likely as not negative there: a compliance that moves the contact by less than the tolerance makes it
+/// positive definite again.
+template <int dimension>
+ReducedContact<dimension> reduce_contact(double mu,
+                                         const Eigen::Matrix<double, dimension + 1, dimension + 1>& w,
+                                         const Eigen::Matrix<double, dimension + 1, 1>& b, double speed) {
+  using Vector = Eigen::Matrix<double, dimension, 1>;
+  constexpr double singular = 1e-9;
+  constexpr double compliance = 0x1p-45;
+  const double scale = 1 / w(0, 0);
+  const Vector column = scale * w.template bottomLeftCorner<dimension, 1>();
+  const Vector row = scale * w.template topRightCorner<1, dimension>().transpose();
+  const Vector diagonal = scale * w.diagonal().template tail<dimension>();
+  ReducedContact<dimension> c;
+  c.a = scale * w.template bottomRightCorner<dimension, dimension>() - column * row.transpose();
+  c.n0 = -b[0] / speed;
+  c.b = b.template tail<dimension>() / speed + column * c.n0;
+  c.g = -row;
+  c.mu = mu;
+  if (!(c.a.determinant() > singular * diagonal.prod())) c.a.diagonal() += compliance * diagonal;
+  return c;
+}
 
 /// (a + D)⁻¹ b for D = diag(α, α, β) or diag(α, α): adjugate times b, and determinant, as polynomials in α
 /// and β. Being polynomials they need no pivots and hold for singular a.
