@@ -188,8 +188,10 @@ int run(const std::filesystem::path& folder) {
   record.add(claim("impact.frictionless", "Newton's impact law",
                    "without friction, impacts with the same restitution for all contacts add no energy",
                    tallies.at("impact_frictionless")));
-  // Not so: Kane & Levinson 1985. Λ_F·γ_F⁻ = Λ_F·γ_F⁺ − Λ_F·(W_FN Λ_N + W_FF Λ_F), of any sign.
-  record.add(claim("impact.friction.one", "Newton's impact law",
+  // Not so. The energy added is ½Λ·(γ⁺ + γ⁻), and Λ_F·γ_F⁻ = Λ_F·γ_F⁺ − Λ_F·(W_FN Λ_N + W_FF Λ_F) has any
+  // sign.
+  record.add(claim("impact.friction.one",
+                   "Newton's impact law; against it Kane & Levinson, Dynamics: Theory and Applications, 1985",
                    "with friction, the impact of one contact with restitution 0.8 adds no energy",
                    tallies.at("impact_friction_one"), false));
   record.add(claim("order", "issue 3",
