@@ -108,6 +108,15 @@ TEST_CASE("Natural map's residual: b = 0, W_ii = 0", "[contact]") {
   CHECK(std::isinf(natural_map_residual(problem, Eigen::Vector2d(1, 0))));
 }
 
+TEST_CASE("Natural map's residual: not fooled by impulses beside which velocities are rounding", "[contact]") {
+  // Two opposite walls that press at once: γ_N = ±(Λ_1 − Λ_2) − 1 has no solution, yet Λ = 1e17 absorbs it.
+  const AnyFriction none = NoFriction{};
+  ContactProblem problem{{{&none, {0, 0}}}, Eigen::Matrix2d{{1, -1}, {-1, 1}}, Eigen::Vector2d(-1, -1)};
+  CHECK(natural_map_residual(problem, Eigen::Vector2d(0, 0)) == Approx(1));
+  CHECK(natural_map_residual(problem, Eigen::Vector2d(1e6, 1e6)) == Approx(1));
+  CHECK(natural_map_residual(problem, Eigen::Vector2d(1e17, 1e17)) > 1);
+}
+
 TEST_CASE("Projection on the cone of one contact and its derivative", "[contact]") {
   const auto& ball = std::get<FrictionBall<SmoothPlate<HertzLaw>>>(hertz);
   // Inside, outside, and above a contact that opens; against central differences of the projection.

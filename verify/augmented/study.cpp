@@ -37,6 +37,8 @@ const char* name(SolverStatus status) {
   switch (status) {
     case SolverStatus::solved:
       return "solved";
+    case SolverStatus::at_rounding:
+      return "rounding";
     case SolverStatus::iteration_limit:
       return "limit";
     case SolverStatus::stalled:

@@ -14,7 +14,9 @@ constexpr std::array sweeps_between{10, 30, 90};
 constexpr int sweeps_after_path = 20;
 constexpr double good =
     1e-10;  // a residual above it is rounding only after some paths: their impulses may be smaller
+constexpr int most_proximal_steps = 60;
 constexpr int most_paths = 24;
+constexpr int paths_between = 4;  // between proximal point steps, which then start elsewhere
 constexpr int most_path_steps = 300;
 // Neither is best for all problems.
 constexpr std::array<double, 3> regularisations{1e-7, 1e-5, 1e-9};
@@ -39,13 +41,18 @@ class Ladder {
     run();
     impulse = m_.best.cwiseProduct(m_.scaled.unit);
     best_ = residual_of(problem_, impulse, m_.newton);
-    const SolverStatus status = best_ <= wanted_ ? SolverStatus::solved
-                                : left_ <= 0     ? SolverStatus::iteration_limit
-                                                 : SolverStatus::stalled;
-    return {status, used_, best_, SolverMethod::automatic};
+    return {status(), used_, best_, SolverMethod::automatic};
   }
 
  private:
+  SolverStatus status() const {
+    if (best_ <= wanted_) return SolverStatus::solved;
+    // The estimate is for one rounding where up to some dozens of products are added.
+    constexpr double roundings = 8;
+    if (best_ <= roundings * m_.scaled.rounding(m_.best)) return SolverStatus::at_rounding;
+    return left_ <= 0 ? SolverStatus::iteration_limit : SolverStatus::stalled;
+  }
+
   void run() {
     newton(30, 0);
     for (const int count : sweeps_between) {
@@ -53,6 +60,8 @@ class Ladder {
       sweep(count);
       newton(30, 0);
     }
+    m_.x = m_.best;
+    if (!done()) proximal();
     for (int attempt = 0; attempt < most_paths && !done(); ++attempt) {
       path(attempt);
       newton(100, newton_steps[static_cast<std::size_t>(attempt) % newton_steps.size()],
@@ -61,6 +70,7 @@ class Ladder {
       m_.x = m_.path.x;
       sweep(sweeps_after_path);
       newton(30, attempt % 2 == 1 ? newton_steps[0] : 0);
+      if (attempt % paths_between == paths_between - 1 && !done()) proximal();
     }
   }
 
@@ -75,13 +85,22 @@ class Ladder {
     left_ -= iterations;
   }
 
-  void newton(int most_iterations, double largest_step, double regularisation = 1e-10) {
-    const NewtonResult result = newton_iteration(
-        m_.scaled, m_.x, {tolerance_, std::min(most_iterations, left_), largest_step, regularisation},
-        m_.newton);
+  /// Newton's method on the scaled problem as it stands, from m_.x; its residual.
+  double inner_newton(NewtonOptions options) {
+    options.most_iterations = std::min(options.most_iterations, left_);
+    const NewtonResult result = newton_iteration(m_.scaled, m_.x, options, m_.newton);
     count(result.iterations);
-    if (!(result.residual < best_)) return;
-    best_ = result.residual;
+    return result.residual;
+  }
+
+  void newton(int most_iterations, double largest_step, double regularisation = newton_regularisations[0]) {
+    keep(inner_newton({tolerance_, most_iterations, largest_step, regularisation}));
+  }
+
+  /// Remembers m_.x where its residual is the least so far.
+  void keep(double residual) {
+    if (!(residual < best_)) return;
+    best_ = residual;
     m_.best = m_.x;
   }
 
@@ -93,6 +112,37 @@ class Ladder {
         m_.gauss_seidel);
     count(report.iterations);
     m_.x = m_.impulse.cwiseQuotient(m_.scaled.unit);
+  }
+
+  /// Proximal point steps: each solves the problem with w + ρ1 and b − ρx, which is better conditioned than
+  /// the problem itself and has its solution at x where that is the problem's own. ρ shrinks while that
+  /// works.
+  void proximal() {
+    double weight = 1;
+    for (int step = 0; step < most_proximal_steps && weight < 1e3 && !done(); ++step) {
+      m_.centre = m_.x;
+      m_.diagonal = m_.scaled.w.diagonal();
+      m_.b = m_.scaled.b;
+      m_.scaled.w.diagonal().array() += weight;
+      m_.scaled.b -= weight * m_.centre;
+      double residual = inner_newton({tolerance_, 30, 0, newton_regularisations[0]});
+      if (residual > tolerance_) {
+        const double longest = newton_steps[static_cast<std::size_t>(step) % newton_steps.size()];
+        residual = inner_newton({tolerance_, 30, longest, newton_regularisations[1]});
+      }
+      m_.scaled.w.diagonal() = m_.diagonal;
+      m_.scaled.b = m_.b;
+
+      m_.scaled.velocity(m_.x, m_.newton.velocity);
+      keep(m_.scaled.residual(m_.x, m_.newton.velocity));
+      constexpr double near_enough = 1e-6;
+      if (residual <= near_enough) {
+        weight /= 4;
+      } else {
+        m_.x = m_.centre;
+        weight *= 8;
+      }
+    }
   }
 
   /// Directions from 1/4 to 4 in the normal rows, spread by the golden section; all 1 the first time.

@@ -123,14 +123,18 @@ inline double natural_step(double norm, double fallback) {
 }
 
 /// One contact's part in natural_map_residual: ‖Λ − Π(Λ − rγ)‖/(rV), V = `speed`. Not finite input gives
-/// infinity, never an exception.
+/// infinity, never an exception. At least the rounding of Λ where that is so large that Λ − rγ is Λ, and the
+/// difference says nothing.
 template <class Domain>
 double contact_residual(const Domain& domain, double mu, const ContactVector<Domain>& lambda,
                         const ContactVector<Domain>& gamma, double r, double speed) {
   const ContactVector<Domain> x = lambda - r * gamma;
   if (!x.allFinite()) return std::numeric_limits<double>::infinity();
+  constexpr double meaningless = 1e-6;
+  const double rounding = std::numeric_limits<double>::epsilon() * (lambda / r / speed).norm();
+  const double least = rounding > meaningless ? rounding : 0;
   const ContactVector<Domain> difference = lambda - project_contact(domain, mu, x);
-  return difference.isZero(0) ? 0 : (difference / r / speed).norm();
+  return difference.isZero(0) ? least : std::max(least, (difference / r / speed).norm());
 }
 
 /// r_i [kg] of each contact: 1/‖W_ii‖ in the row-sum norm; where W_ii is zero (or below the normal numbers),

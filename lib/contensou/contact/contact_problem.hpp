@@ -57,7 +57,8 @@ void require_valid(const ContactProblem& problem);
 /// where ‖W_ii‖ is the largest sum of |entries| in a row of the contact's own block, and Π_i projects the
 /// normal impulse on R+ and then the friction on B(μΠ_N), LG03 (4.16), footnote 1. Zero exactly at the
 /// solutions (that is for b = 0, too; all else has an infinite residual there). A contact whose W_ii is zero
-/// has r_i = 1/(largest ‖W_jj‖), or 1 kg. Infinite where Λ or γ is not finite.
+/// has r_i = 1/(largest ‖W_jj‖), or 1 kg. Infinite where Λ or γ is not finite. Where impulses
+/// are so large that their own rounding, 2^-52 ‖Λ_i‖/(r_i V), exceeds 1e-6, at least that.
 double natural_map_residual(const ContactProblem& problem, const Eigen::VectorXd& impulse);
 
 }  // namespace contensou

@@ -27,6 +27,7 @@ struct SolverOptions {
 
 enum class SolverStatus {
   solved,           ///< residual <= tolerance
+  at_rounding,      ///< not so, but impulses are so large that rounding them to doubles explains the residual
   iteration_limit,  ///< not reached within the iterations allowed
   stalled,          ///< no further progress is possible (rounding, a local minimum, a cycle)
   diverged,         ///< not finite, or growing without bound

@@ -95,6 +95,11 @@ void ScaledProblem::natural_map(const Eigen::VectorXd& x, const Eigen::VectorXd&
     const ContactVector<Domain> xi = group.segment(x, i);
     const ContactVector<Domain> si = group.segment(step_, i);
     const ContactVector<Domain> y = xi - si.cwiseProduct(group.segment(g, i));
+    if (!y.allFinite()) {
+      group.segment(h, i).setConstant(std::numeric_limits<double>::infinity());
+      jacobian.middleRows<size>(row).setZero();
+      return;
+    }
     ContactMatrix<Domain> d;
     group.segment(h, i) = xi - project_contact(group.domain, group.mu[i], y, d);
     const ContactMatrix<Domain> ds = d * si.asDiagonal();
