@@ -83,7 +83,7 @@ class Report {
       add(law, property_names[i], s.points[i], s.worst[i], bounds.of(property), bounds.should_hold(property),
           most, mean);
     }
-    record_.add(Claim{"ball." + law + ".iterations", "issue 3, item 2",
+    record_.add(Claim{"ball." + law + ".iterations", "LG03 (4.12)",
                       "border points looked at for one projection are bounded: " + law, 0,
                       static_cast<double>(most), static_cast<double>(most),
                       static_cast<double>(bounds.iterations), true});
@@ -111,7 +111,7 @@ class Report {
            double bound, bool should_hold, int most, double mean) {
     table_.add({law, property, static_cast<double>(points), worst, bound,
                 std::string(should_hold ? "yes" : "no"), static_cast<double>(most), mean});
-    record_.add(Claim{"ball." + law + "." + property, "issue 3, item 2",
+    record_.add(Claim{"ball." + law + "." + property, "LG03 (4.12)",
                       "projection on the friction ball, " + law + ": " + property + ", in ulp of the scale",
                       0, worst, worst, bound, should_hold});
   }

@@ -12,10 +12,12 @@ using contensou::ContactProblem;
 using contensou::ContactVector;
 using contensou::TypedGroup;
 
-Solution solve(const ContactProblem& problem) {
-  contensou::ContactSolver solver({.tolerance = 1e-12});
+Solution solve(const ContactProblem& problem, int most_iterations) {
+  contensou::ContactSolver solver({.tolerance = 1e-12, .max_iterations = most_iterations});
   Solution s;
-  s.residual = solver.solve(problem, s.impulse).residual;
+  const contensou::SolverReport report = solver.solve(problem, s.impulse);
+  s.residual = report.residual;
+  s.at_rounding = report.status == contensou::SolverStatus::at_rounding;
   s.velocity = problem.delassus * s.impulse + problem.free_velocity;
   s.speed = problem.free_velocity.lpNorm<Eigen::Infinity>();
   Eigen::VectorXd step;

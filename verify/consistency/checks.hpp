@@ -13,11 +13,13 @@ struct Solution {
   Eigen::VectorXd step;    ///< r_i of each row
   Eigen::VectorXd defect;  ///< the residual's vector [N s]
   double residual;
-  double speed;  ///< V
+  bool at_rounding;  ///< doubles have no better impulses
+  double speed;      ///< V
 };
 
-/// Solves with the default method to 1e-12. Not solved to 1e-10: residual says so.
-Solution solve(const contensou::ContactProblem& problem);
+/// Solves with the default method to 1e-12, as far as `most_iterations` (0: its own limit) allow. Not solved
+/// to 1e-10: residual says so.
+Solution solve(const contensou::ContactProblem& problem, int most_iterations = 0);
 
 /// Λ_F·γ_F of each contact beyond zero, and its distance from −Φ(γ_F), relative to V times
 /// μΛ_N + |Λ_F| + (1 + μ)r|γ_F|: the largest over the contacts.

@@ -99,7 +99,8 @@ void check_energy(const ContactProblem& problem, const std::string& rows, const 
                   Tallies& tallies) {
   tallies.add("impact_inelastic", rows, energy_bound, energy_gained(inelastic, problem.free_velocity));
   const ContactProblem elastic = with_restitution(problem);
-  const Solution s = solve(elastic);
+  // Restitution can ask for what bodies cannot do, and then there is no solution to look for any longer.
+  const Solution s = solve(elastic, 1000);
   if (!(s.residual <= solved)) return;
   const bool frictionless = rows == "frictionless";
   const std::string check = frictionless              ? "impact_frictionless"
@@ -149,7 +150,7 @@ int run(const std::filesystem::path& folder) {
     const std::string rows(random_contact::row_kinds[static_cast<std::size_t>(random.rows)]);
     const Solution s = solve(problem);
     if (!(s.residual <= solved)) {
-      ++unsolved;
+      if (!s.at_rounding) ++unsolved;
       continue;
     }
     if (rows != "frictionless") {
@@ -176,8 +177,8 @@ int run(const std::filesystem::path& folder) {
               static_cast<int>(problems), solved);
 
   Record record("consistency");
-  record.add(Claim{"consistency.solved", "issue 3",
-                   "random problems that the default solver does not solve to 1e-10", 0,
+  record.add(Claim{"consistency.solved", "LG03 (4.17)",
+                   "random problems that the default solver does not solve to 1e-10 nor to rounding", 0,
                    static_cast<double>(unsolved), static_cast<double>(unsolved), 0, true});
   record.add(claim("created", "LG03 (2.1), (2.20)", "friction never creates energy: lambda_F.gamma_F <= 0",
                    tallies.at("created")));
@@ -194,7 +195,7 @@ int run(const std::filesystem::path& folder) {
                    "Newton's impact law; against it Kane & Levinson, Dynamics: Theory and Applications, 1985",
                    "with friction, the impact of one contact with restitution 0.8 adds no energy",
                    tallies.at("impact_friction_one"), false));
-  record.add(claim("order", "issue 3",
+  record.add(claim("order", "LG03 (4.17)",
                    "velocities do not depend on the order of contacts where the solution is provably unique: "
                    "difference over its bound",
                    tallies.at("order")));

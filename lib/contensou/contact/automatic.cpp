@@ -14,9 +14,9 @@ constexpr std::array sweeps_between{10, 30, 90};
 constexpr int sweeps_after_path = 20;
 constexpr double good =
     1e-10;  // a residual above it is rounding only after some paths: their impulses may be smaller
-constexpr int most_proximal_steps = 60;
+constexpr int most_proximal_steps = 40;
 constexpr int most_paths = 24;
-constexpr int paths_between = 4;  // between proximal point steps, which then start elsewhere
+constexpr int paths_between = 8;  // between proximal point steps, which then start elsewhere
 constexpr int most_path_steps = 300;
 // Neither is best for all problems.
 constexpr std::array<double, 3> regularisations{1e-7, 1e-5, 1e-9};

@@ -23,13 +23,13 @@ struct AutomaticMemory {
 /// One contact: solve_one_contact. Several, or where that does not do:
 ///   1. Newton's method (semismooth_newton.hpp), 30 iterations;
 ///   2. Gauss–Seidel for 10, 30 and 90 sweeps, each followed by 1;
-///   3. up to 60 proximal point steps (Rockafellar, 1976), each a better conditioned problem for 1;
+///   3. up to 40 proximal point steps (Rockafellar, 1976), each a better conditioned problem for 1;
 ///   4. up to 24 times the covering path (covering_path.hpp), each with another direction and other steps,
 ///      followed by Newton's method with adapted steps, and by 20 sweeps and 1 from there, every fourth by 3,
 ///      too.
 /// The first rung that reaches the tolerance ends it; so does a residual that is rounding (`at_rounding`:
 /// impulses so large, or radii so large, that doubles have no better ones). `iterations` counts Newton
-/// iterations, sweeps and steps of the path alike; without a limit of the caller's there are some 36 000 at
+/// iterations, sweeps and steps of the path alike; without a limit of the caller's there are some 21 000 at
 /// the very most.
 ///
 /// The method SolverMethod::automatic. Called by ContactSolver::solve, which has checked problem
