@@ -28,6 +28,14 @@ if(NOT output STREQUAL expected)
   message(FATAL_ERROR "the example printed\n${output}expected\n${expected}")
 endif()
 
+# Normal impulse m (1 + 1/2); the others from the law: u = 0.2760 of the slip after the impact, xi = 0.3190, eta = 0.5455,
+# times mu Lambda_N = 0.051 N s.
+run(${folder}/build/contact)
+set(expected "normal 0.255, friction -0.0162684, torque / R -0.027818 N s, solved\n")
+if(NOT output STREQUAL expected)
+  message(FATAL_ERROR "the contact problem printed\n${output}expected\n${expected}")
+endif()
+
 # Neither the example nor the installed program links GSL, and what is exported names no library but Eigen.
 foreach(program IN ITEMS ${folder}/build/example ${folder}/prefix/bin/contensou)
   run(ldd ${program})

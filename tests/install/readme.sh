@@ -1,7 +1,7 @@
-# The README shows the example that is built and run by consumer.cmake, to the letter.
+# The README shows the examples that are built and run by consumer.cmake, to the letter.
 source=$1
 missing=0
-for file in main.cpp CMakeLists.txt; do
+for file in main.cpp contact.cpp CMakeLists.txt; do
   if ! awk -v file="$source/tests/install/example/$file" '
     BEGIN { while ((getline line < file) > 0) example = example line "\n" }
     /^```/ { if (inside && block == example) found = 1; inside = !inside; block = ""; next }
