@@ -20,9 +20,8 @@ std::string ball_summary(const Table& table) {
   };
   const auto points = all.where("law", "uniform").where("property", "non_expansive").first("points");
   return fmt::format(
-      "{:.0f} random forces a law, from 10<sup>−300</sup> to 10<sup>300</sup> and next to every special "
-      "place: "
-      "what is left beside the normal is at most {} ulp of the scale (uniform) and {} (Hertz), the nearest "
+      "{:.0f} random forces a law, of all sizes and next to every special place: what is left beside the "
+      "normal is at most {} ulp of the scale (uniform) and {} (Hertz), the nearest "
       "point "
       "at most {} and {} ulp off the border; at most {} border points are looked at for one projection.",
       points, worst("uniform", "parallel"), worst("hertz", "parallel"), worst("uniform", "border"),
@@ -52,16 +51,19 @@ std::string consistency_summary(const Table& table) {
   const auto worst = [&](const char* check) {
     return rounded_up(rows.where("check", check).first("worst"), 2);
   };
+  const auto beyond = [&](const char* check) {
+    const Selection row = rows.where("check", check);
+    return fmt::format("{} of {}", row.first("beyond"), row.first("problems"));
+  };
   return fmt::format(
-      "Power that friction creates at a solution: at most {} of its scale; power beside −Φ while slipping: "
-      "{}. "
-      "Impacts without restitution never add energy. Restitution 0.8 together with friction does, in {} of "
-      "{} "
-      "problems of one contact: Newton’s impact law, not the solver (Kane and Levinson). Another order of "
-      "the "
-      "contacts changes no velocity beyond its bound where the solution is provably unique.",
-      worst("created"), worst("potential"), rows.where("check", "impact_friction_one").first("beyond"),
-      rows.where("check", "impact_friction_one").first("problems"));
+      "Power that friction creates at a solution: at most {} of its scale; power beside −Φ: {}. Energy "
+      "gained "
+      "by an impact without restitution: in {} problems; with restitution 0.8 and friction: in {} of one "
+      "contact, which is Newton’s impact law, not the solver (Kane and Levinson). Another order of the "
+      "contacts "
+      "changes velocities beyond their bound in {} problems whose solution is provably unique.",
+      worst("created"), worst("potential"), beyond("impact_inelastic"), beyond("impact_friction_one"),
+      beyond("order"));
 }
 
 std::string siconos_coulomb_summary(const Table& table) {
