@@ -133,6 +133,10 @@ TEST_CASE("friction ball: of size zero it is the point zero", "[friction_ball]")
   CHECK((d.size - uniform_ball.boundary_point(1, {3, 0, -4})).norm() <= 4 * eps);
   CHECK(uniform_ball.project({0, 0, 0}, 0).inside);
   CHECK(uniform_ball.project({1.7e308, 1.7e308, 1.7e308}, 0).normal.allFinite());
+  for (const double component : {5e-324, 1.5e308}) {
+    const auto q_end = uniform_ball.project({component, component, 0}, 0);
+    CHECK((q_end.normal - Eigen::Vector3d(1, 1, 0) / std::sqrt(2.0)).norm() <= 4 * eps);
+  }
 }
 
 TEST_CASE("friction ball: derivative against central differences in long steps", "[friction_ball]") {

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <stdexcept>
 
 #include "contensou/ball/friction_ball.hpp"
+#include "contensou/ball/polar.hpp"
 
 namespace contensou::detail {
+
+/// In error messages.
+inline constexpr const char* ball_name = "friction ball";
 
 /// A vector in cylinder coordinates.
 struct Cylindrical {
@@ -49,8 +51,6 @@ PlateProjection project_scaled(const P& plate, Meridian p, double size) {
 
 /// Throws std::domain_error for a vector that is not finite.
 Cylindrical cylindrical(const Eigen::Vector3d& x);
-/// Throws std::invalid_argument unless size is finite and >= 0.
-void require_size(double size);
 [[noreturn]] void no_direction();
 
 inline Meridian unit(Meridian direction) {
@@ -68,14 +68,14 @@ namespace contensou {
 
 template <FrictionPlate P>
 double FrictionBall<P>::support(double size, const SlipVelocity& gamma) const {
-  detail::require_size(size);
+  detail::require_size(size, detail::ball_name);
   const Meridian direction = detail::cylindrical(gamma).meridian;
   return size * plate_.support(direction.t, direction.tau);
 }
 
 template <FrictionPlate P>
 FrictionForce FrictionBall<P>::boundary_point(double size, const Eigen::Vector3d& normal) const {
-  detail::require_size(size);
+  detail::require_size(size, detail::ball_name);
   const detail::Cylindrical frame = detail::cylindrical(normal);
   if (frame.meridian.t == 0 && frame.meridian.tau == 0) detail::no_direction();
   const Friction border = plate_.border(frame.meridian.t, frame.meridian.tau);
@@ -98,7 +98,7 @@ bool FrictionBall<P>::contains(const FrictionForce& force, double size) const {
 
 template <FrictionPlate P>
 bool FrictionBall<P>::on_boundary(const FrictionForce& force, double size, double tolerance) const {
-  detail::require_size(size);
+  detail::require_size(size, detail::ball_name);
   return std::abs(gauge(force) - size) <= tolerance * size;
 }
 
@@ -114,7 +114,7 @@ Eigen::Vector3d FrictionBall<P>::normal(const FrictionForce& force) const {
 
 template <FrictionPlate P>
 Projection<3> FrictionBall<P>::project(const FrictionForce& force, double size) const {
-  detail::require_size(size);
+  detail::require_size(size, detail::ball_name);
   const detail::Cylindrical frame = detail::cylindrical(force);
   const Meridian p = frame.meridian;
   if (p.t == 0 && p.tau == 0) return {force, Eigen::Vector3d::Zero(), 0, 0, 0, true};
