@@ -19,7 +19,7 @@ struct BorderNode {
 };
 
 /// Nodes on one half of a border, denser towards the seam, where borders are least smooth: from them Newton's
-/// iteration starts so near to the root that one or two steps remain.
+/// iteration starts so near to the root that few steps remain (counted by verify_ball: ball_iterations.tsv).
 class BorderNodes {
  public:
   /// `node(x)` gives a BorderNode.
@@ -66,8 +66,8 @@ inline BorderNode BorderNodes::interpolated(double x) const {
   const BorderNode* const right = left + 1;
   const double width = right->x - left->x;
   const double t = (x - left->x) / width;
-  // start + t (first + t (second + t third)); in the first cell ξ or η keeps its relative accuracy, start =
-  // 0.
+  // start + t (first + t (second + t third)); in the first cell, start = 0, ξ or η keeps its relative
+  // accuracy.
   struct Cubic {
     double start, first, second, third;
     Cubic(double from, double slope_from, double to, double slope_to)

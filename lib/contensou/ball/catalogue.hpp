@@ -25,9 +25,8 @@ using AnyBall = std::variant<FrictionBall<SmoothPlate<UniformLaw>>, FrictionBall
 /// Pressures as in law/catalogue.hpp: "uniform", "hertz", "power:N". Models:
 /// "exact"             SmoothPlate of the exact law
 /// "table:N"           TabulatedPlate of the exact law, N cells a side, 4 to 256
-/// "printed" "series"  the paper's plates to the letter, LG03 (2.18), (3.19), for uniform and hertz; "series"
-/// for
-///                     another pressure: plate_series with three terms
+/// "printed" "series"  the paper's plates to the letter, LG03 (2.18), (3.19), for uniform and hertz;
+///                     "series" for another pressure: plate_series with three terms
 /// "corrected"         the same with the right coefficients and seam: plate_series with three terms
 /// "series:K"          plate_series with K terms, 1 to 40 (pressures up to N = 100)
 /// "ellipsoid" "decoupled"  the ellipsoid, disk × interval, with the exact law's semi-axes

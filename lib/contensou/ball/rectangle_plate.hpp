@@ -7,8 +7,8 @@ namespace contensou {
 
 /// The plate of sliding and drilling friction that know nothing of each other: the rectangle ξ <= ξ_max,
 /// η <= η_max; turned about the λ_τ axis, disk × interval. A FrictionPlate in closed form: no iteration, no
-/// residual, points and gauges to an ulp. On the edge between side and top the normal found by `ray` is (1,
-/// 1).
+/// residual, points and gauges to an ulp. On the edge between side and top the normal found by `ray` is
+/// (1, 1).
 class RectanglePlate {
  public:
   /// Semi-axes in (0, ∞); throws std::invalid_argument otherwise.
