@@ -214,3 +214,19 @@ TEST_CASE("One contact: singular compliance, in the range of which b lies", "[co
   }
   CHECK(bad == 0);
 }
+
+TEST_CASE("One contact: finite numbers whose products overflow are no reason to throw", "[contact]") {
+  Eigen::Matrix4d w = Eigen::Matrix4d::Identity();
+  w(0, 0) = 1e-300;
+  w(0, 1) = w(1, 0) = 1e20;
+  const Vector4d b(-1, 0, 0, 0);
+  const auto check = [&](const auto& domain, const auto& matrix, const auto& velocity) {
+    const std::decay_t<decltype(velocity)> zero = velocity * 0;
+    const auto found = solve_one_contact(domain, 0.3, matrix, velocity, zero);
+    CHECK(found.state == ContactState::unsolved);
+    CHECK(found.impulse.allFinite());
+  };
+  check(disk, Eigen::Matrix3d(w.topLeftCorner<3, 3>()), Vector3d(b.head<3>()));
+  check(uniform, w, b);
+  check(hertz, w, b);
+}
