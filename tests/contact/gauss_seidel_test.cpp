@@ -91,3 +91,18 @@ TEST_CASE("Contact solver: options and problems at the door", "[contact]") {
   problem.free_velocity[0] = std::nan("");
   CHECK_THROWS_AS(gauss_seidel().solve(problem, impulse), std::invalid_argument);
 }
+
+TEST_CASE("Gauss-Seidel: a sweep that overflows diverges, and says so", "[contact]") {
+  // Each contact presses the other 1e30 times as hard: beyond the doubles between two looks at the residual.
+  const AnyFriction hertz{FrictionBall(SmoothPlate(HertzLaw{}))};
+  for (const AnyFriction* kind : {&frictionless, &point, &hertz}) {
+    const Eigen::Index n = rows(*kind);
+    ContactProblem problem{{{kind, {0.3, 0.3}}}, Eigen::MatrixXd::Identity(2 * n, 2 * n), {}};
+    problem.delassus(0, n) = problem.delassus(n, 0) = -1e30;
+    problem.free_velocity = Eigen::VectorXd::Constant(2 * n, -1);
+    Eigen::VectorXd impulse;
+    CAPTURE(n);
+    CHECK(gauss_seidel().solve(problem, impulse).status == SolverStatus::diverged);
+    CHECK(impulse.allFinite());
+  }
+}

@@ -14,8 +14,10 @@ constexpr int most_sweeps = 5000;
 constexpr int sweeps_between_looks = 16;
 constexpr int looks_without_progress = 40;
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
 /// Solves each contact once, for what the others are; returns the largest change of a contact's own
-/// velocity, W_ii ΔΛ_i.
+/// velocity, W_ii ΔΛ_i; infinity where a velocity or an impulse overflows: that contact is left as it is.
 double sweep(const ContactProblem& problem, const Eigen::VectorXd& step, Eigen::VectorXd& impulse,
              Eigen::VectorXd& velocity) {
   double largest = 0;
@@ -24,8 +26,16 @@ double sweep(const ContactProblem& problem, const Eigen::VectorXd& step, Eigen::
     const ContactMatrix<Domain> w = group.block(problem.delassus, i);
     const ContactVector<Domain> old = group.segment(impulse, i);
     const ContactVector<Domain> b = group.segment(velocity, i) - w * old;
+    if (!b.allFinite()) {
+      largest = infinity;
+      return;
+    }
     const auto exact = solve_one_contact(group.domain, group.mu[i], w, b, old);
     if (exact.state == ContactState::unsolved) return;
+    if (!exact.impulse.allFinite()) {
+      largest = infinity;
+      return;
+    }
     const ContactVector<Domain> change = exact.impulse - old;
     if (change.isZero(0)) return;
     group.segment(impulse, i) = exact.impulse;
