@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "contensou/contact/contact_solver.hpp"
+#include "contensou/contact/covering_path.hpp"
 
 namespace {
 
@@ -117,5 +118,20 @@ TEST_CASE("Allocation: none in a solve, whatever the method", "[contact]") {
     CAPTURE(static_cast<int>(method));
     CHECK(allocations_once_solved(method, several) == 0);
   }
+  // The path, which few problems need.
+  ScaledProblem scaled;
+  CoveringPathMemory memory;
+  allocations = 0;
+  int steps = 0;
+  for (const bool second : {false, true}) {
+    for (const ContactProblem& problem : several) {
+      scaled.set(problem);
+      counting = second;
+      steps += follow_covering_path(scaled, {1e-7, 1e3, 100}, memory);
+      counting = false;
+    }
+  }
+  CHECK(steps > 0);
+  CHECK(allocations == 0);
 #endif
 }

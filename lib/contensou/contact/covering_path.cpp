@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace contensou {
 namespace {
@@ -15,6 +16,18 @@ constexpr int most_corrections = 7;
 constexpr int most_corners = 10;
 constexpr int easy = 3;               // corrections after which the step is doubled
 constexpr double least_rank = 1e-15;  // on w's diagonal, for rows of zeros
+
+/// The sign of a permutation, which is sorted: permutationP().determinant() would allocate.
+double sign_by_sorting(Eigen::VectorXi& order) {
+  double sign = 1;
+  for (int i = 0; i < order.size(); ++i) {
+    while (order[i] != i) {
+      std::swap(order[i], order[order[i]]);
+      sign = -sign;
+    }
+  }
+  return sign;
+}
 
 class Path {
  public:
@@ -85,15 +98,16 @@ class Path {
     m_.bordered.topRows(n_) = m_.jacobian;
     m_.bordered.row(n_) = m_.tangent.transpose();
     m_.lu.compute(m_.bordered);
-    double sign = m_.lu.permutationP().determinant() < 0 ? -1 : 1;
+    m_.order = m_.lu.permutationP().indices();
+    double sign = sign_by_sorting(m_.order);
     for (Eigen::Index i = 0; i <= n_; ++i) {
       if (m_.lu.matrixLU()(i, i) < 0) sign = -sign;
     }
     return sign;
   }
 
-  /// From m_.predicted to the path, across the tangent: m_.trial. The number of corrections, −1 for none
-  /// found.
+  /// From m_.predicted to the path, across the tangent: m_.trial. The number of corrections, −1 where it is
+  /// not found.
   int correct(double length) {
     m_.trial = m_.predicted;
     double last = 0;

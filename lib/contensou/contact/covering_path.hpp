@@ -13,6 +13,7 @@ struct CoveringPathMemory {
   Eigen::VectorXd x, velocity, map, diagonal;
   Eigen::MatrixXd jacobian, bordered;
   Eigen::PartialPivLU<Eigen::MatrixXd> lu;
+  Eigen::VectorXi order;  ///< of lu's rows
 };
 
 struct CoveringPathOptions {
