@@ -77,3 +77,9 @@ TEST_CASE("Impact law: what does not fit is refused", "[contact]") {
   mass.step.directions.resize(3, 4);
   CHECK_THROWS_AS(assemble_impact(mass.step, mass.response, mass.problem), std::invalid_argument);
 }
+
+TEST_CASE("Impact law: a group without friction is refused, not looked into", "[contact]") {
+  PointMass mass;
+  mass.problem.groups[0].friction = nullptr;
+  CHECK_THROWS_AS(assemble_impact(mass.step, mass.response, mass.problem), std::invalid_argument);
+}

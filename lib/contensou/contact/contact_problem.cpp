@@ -1,5 +1,6 @@
 #include "contensou/contact/contact_problem.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -63,8 +64,12 @@ Eigen::Index ContactProblem::rows() const {
   return count;
 }
 
-void require_valid(const ContactProblem& problem) {
+void require_valid_groups(const ContactProblem& problem) {
   for (std::size_t i = 0; i < problem.groups.size(); ++i) require_coefficients(problem.groups[i], i);
+}
+
+void require_valid(const ContactProblem& problem) {
+  require_valid_groups(problem);
   const Eigen::Index n = problem.rows();
   if (problem.delassus.rows() != n || problem.delassus.cols() != n) {
     fail("delassus is " + size_text(problem.delassus.rows(), problem.delassus.cols()) + ", expected " +

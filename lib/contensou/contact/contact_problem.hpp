@@ -38,27 +38,29 @@ struct ContactGroup {
 /// impulses (acceleration_level.hpp).
 struct ContactProblem {
   std::vector<ContactGroup> groups;
-  Eigen::MatrixXd
-      delassus;  ///< W = W_allᵀ M⁻¹ W_all [1/kg], positive semi-definite; symmetric on velocity level
-  Eigen::VectorXd
-      free_velocity;  ///< b [m/s]: γ for Λ = 0; in normal rows γ_N⁺ + ε_N γ_N⁻, see impact_law.hpp
+  /// W = W_allᵀ M⁻¹ W_all [1/kg], positive semi-definite; symmetric on velocity level.
+  Eigen::MatrixXd delassus;
+  /// b [m/s]: γ for Λ = 0; in normal rows γ_N⁺ + ε_N γ_N⁻, see impact_law.hpp.
+  Eigen::VectorXd free_velocity;
 
   std::size_t contacts() const;
   Eigen::Index rows() const;
 };
 
-/// Checks sizes, signs and finiteness; throws std::invalid_argument with one line that says which entry of
-/// what is wrong.
+/// Checks that each group has its friction, and the friction coefficients; throws std::invalid_argument with
+/// one line that says which is wrong.
+void require_valid_groups(const ContactProblem& problem);
+/// The same, and sizes and finiteness.
 void require_valid(const ContactProblem& problem);
 
 /// The natural map's residual: how far Λ is from being a solution, as a velocity, relative to the problem's
 /// largest:
 ///     max over contacts of  ‖Λ_i − Π_i(Λ_i − r_i γ_i)‖ / (r_i V),     r_i = 1/‖W_ii‖, V = max |b|,
 /// where ‖W_ii‖ is the largest sum of |entries| in a row of the contact's own block, and Π_i projects the
-/// normal impulse on R+ and then the friction on B(μΠ_N), LG03 (4.16), footnote 1. Zero exactly at the
-/// solutions (that is for b = 0, too; all else has an infinite residual there). A contact whose W_ii is zero
-/// has r_i = 1/(largest ‖W_jj‖), or 1 kg. Infinite where Λ or γ is not finite. Where impulses
-/// are so large that their own rounding, 2^-52 ‖Λ_i‖/(r_i V), exceeds 1e-6, at least that.
+/// normal impulse on R+ and then the friction on B(μΠ_N), LG03 (4.16), footnote 1. But for rounding, zero
+/// only at solutions; for b = 0 it is zero there and infinite elsewhere. A contact whose W_ii is zero has
+/// r_i = 1/(largest ‖W_jj‖), or 1 kg. Infinite where Λ or γ is not finite. Where impulses are so large that
+/// their own rounding, 2^-52 ‖Λ_i‖/(r_i V), exceeds 1e-6, at least that, at solutions, too (not for b = 0).
 double natural_map_residual(const ContactProblem& problem, const Eigen::VectorXd& impulse);
 
 }  // namespace contensou

@@ -21,6 +21,7 @@ void require(const char* name, const Matrix& x, Eigen::Index rows, Eigen::Index 
 }
 
 void require_valid(const ImpactStep& step, const ContactProblem& problem) {
+  require_valid_groups(problem);
   const Eigen::Index f = step.velocity.size();
   const Eigen::Index n = problem.rows();
   const auto contacts = static_cast<Eigen::Index>(problem.contacts());

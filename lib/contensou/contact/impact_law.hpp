@@ -30,8 +30,8 @@ struct ImpactStep {
 /// often.
 ///
 /// `response` is M⁻¹ W_all. W is symmetric to the bit. Allocates nothing where the sizes are as before.
-/// Throws std::invalid_argument for sizes that do not fit, an entry that is not finite, or ε_N outside [0,
-/// 1].
+/// Throws std::invalid_argument as require_valid_groups does, and for sizes that do not fit, an entry that is
+/// not finite, or ε_N outside [0, 1].
 void assemble_impact(const ImpactStep& step, Eigen::MatrixXd& response, ContactProblem& problem);
 
 /// u⁺ = u⁻ + M⁻¹hΔt + M⁻¹W_all Λ, LG03 (4.7).
