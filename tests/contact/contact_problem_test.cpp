@@ -106,9 +106,18 @@ TEST_CASE("Natural map's residual: b = 0, W_ii = 0", "[contact]") {
   CHECK(step[0] == 0.25);
   CHECK(step[1] == 0.25);
   CHECK(std::isinf(natural_map_residual(problem, Eigen::Vector2d(1, 0))));
+
+  // W Λ = 0: a solution for b = 0, which rounding says nothing against.
+  const Eigen::Matrix2d walls{{1, -1}, {-1, 1}};
+  problem.delassus = walls;
+  CHECK(natural_map_residual(problem, Eigen::Vector2d(1, 1)) == 0);
+  CHECK(std::isinf(natural_map_residual(problem, Eigen::Vector2d(1, 2))));
+  ContactProblem rough{{{&point, {0.5}}}, Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero()};
+  CHECK(std::isinf(natural_map_residual(rough, Eigen::Vector3d(1, 0, 0))));
 }
 
-TEST_CASE("Natural map's residual: not fooled by impulses beside which velocities are rounding", "[contact]") {
+TEST_CASE("Natural map's residual: not fooled by impulses beside which velocities are rounding",
+          "[contact]") {
   // Two opposite walls that press at once: γ_N = ±(Λ_1 − Λ_2) − 1 has no solution, yet Λ = 1e17 absorbs it.
   const AnyFriction none = NoFriction{};
   ContactProblem problem{{{&none, {0, 0}}}, Eigen::Matrix2d{{1, -1}, {-1, 1}}, Eigen::Vector2d(-1, -1)};

@@ -81,3 +81,15 @@ TEST_CASE("semismooth Newton: the limit holds", "[semismooth_newton]") {
   CHECK(report.iterations == 1);
   CHECK(report.status == SolverStatus::iteration_limit);
 }
+
+TEST_CASE("semismooth Newton: without a solution it has not diverged but stands still",
+          "[semismooth_newton]") {
+  const AnyFriction none = NoFriction{};
+  const ContactProblem walls{{{&none, {0, 0}}}, Eigen::Matrix2d{{1, -1}, {-1, 1}}, Eigen::Vector2d(-1, -1)};
+  ContactSolver solver({.method = SolverMethod::semismooth_newton});
+  Eigen::VectorXd impulse;
+  const SolverReport report = solver.solve(walls, impulse);
+  CHECK(report.status != SolverStatus::solved);
+  CHECK(report.status != SolverStatus::diverged);
+  CHECK(report.residual >= 0.1);
+}

@@ -122,19 +122,27 @@ inline double natural_step(double norm, double fallback) {
   return norm >= std::numeric_limits<double>::min() ? 1 / norm : fallback;
 }
 
-/// One contact's part in natural_map_residual: ‖Λ − Π(Λ − rγ)‖/(rV), V = `speed`. Not finite input gives
-/// infinity, never an exception. At least the rounding of Λ where that is so large that Λ − rγ is Λ, and the
-/// difference says nothing.
+/// What is said of impulses whose residual has this computed value, and whose rounding moves γ by `rounding`,
+/// both in units of V. Where that is so large that Λ − rγ is about Λ, whatever γ, the computed value may be
+/// zero where there is no solution at all: then at least `rounding`.
+inline double believable(double residual, double rounding) {
+  constexpr double meaningless = 1e-6;
+  return rounding > meaningless ? std::max(residual, rounding) : residual;
+}
+
+/// One contact's part in natural_map_residual: ‖Λ − Π(Λ − rγ)‖/(rV), V = `speed` >= 0, as far as the rounding
+/// of Λ itself leaves it `believable`. V = 0 leaves 0 and infinity. Not finite input gives infinity, never an
+/// exception.
 template <class Domain>
 double contact_residual(const Domain& domain, double mu, const ContactVector<Domain>& lambda,
                         const ContactVector<Domain>& gamma, double r, double speed) {
   const ContactVector<Domain> x = lambda - r * gamma;
   if (!x.allFinite()) return std::numeric_limits<double>::infinity();
-  constexpr double meaningless = 1e-6;
-  const double rounding = std::numeric_limits<double>::epsilon() * (lambda / r / speed).norm();
-  const double least = rounding > meaningless ? rounding : 0;
   const ContactVector<Domain> difference = lambda - project_contact(domain, mu, x);
-  return difference.isZero(0) ? least : std::max(least, (difference / r / speed).norm());
+  const bool zero = difference.isZero(0);
+  if (speed == 0) return zero ? 0 : std::numeric_limits<double>::infinity();
+  const double residual = zero ? 0 : (difference / r / speed).norm();
+  return believable(residual, std::numeric_limits<double>::epsilon() * (lambda / r / speed).norm());
 }
 
 /// r_i [kg] of each contact: 1/‖W_ii‖ in the row-sum norm; where W_ii is zero (or below the normal numbers),

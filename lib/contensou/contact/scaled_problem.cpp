@@ -6,13 +6,6 @@
 #include "contensou/contact/blocks.hpp"
 
 namespace contensou {
-namespace {
-
-// Impulses so large that rounding alone moves γ by this much of V: x − r g is then x, whatever g, and the
-// residual that is computed may be zero where there is no solution at all.
-constexpr double meaningless = 1e-6;
-
-}  // namespace
 
 void ScaledProblem::set(const ContactProblem& problem) {
   constexpr double negligible = 1e-8;  // a diagonal entry beside the rest of W_ii that no step is made from
@@ -58,8 +51,13 @@ double ScaledProblem::residual(const Eigen::VectorXd& x, const Eigen::VectorXd& 
                   ? std::max(largest, (xi - project_contact(group.domain, group.mu[i], y)).norm() / r)
                   : std::numeric_limits<double>::infinity();
   });
-  const double noise = rounding(x);
-  return noise < meaningless ? largest : std::max(largest, noise);
+  return believable(largest, rounding(x));
+}
+
+bool ScaledProblem::at_rounding(const Eigen::VectorXd& x, double residual) const {
+  // The estimate is for one rounding where up to some dozens of products are added.
+  constexpr double roundings = 8;
+  return residual <= roundings * rounding(x);
 }
 
 double ScaledProblem::rounding(const Eigen::VectorXd& x) const {

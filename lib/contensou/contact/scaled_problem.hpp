@@ -20,11 +20,13 @@ class ScaledProblem {
   Eigen::Index rows() const { return b.size(); }
   /// g = w x + b.
   void velocity(const Eigen::VectorXd& x, Eigen::VectorXd& g) const;
-  /// natural_map_residual of x with velocity g; `rounding` of x where that is larger than 1e-6 and than the
-  /// residual.
+  /// natural_map_residual of x with velocity g, as far as `rounding` of x leaves it `believable`
+  /// (blocks.hpp): that of the sums w x, too, where natural_map_residual counts that of each Λ_i alone.
   double residual(const Eigen::VectorXd& x, const Eigen::VectorXd& g) const;
   /// What rounding x to doubles makes of the residual, as an order of magnitude.
   double rounding(const Eigen::VectorXd& x) const;
+  /// Whether a residual of x is no larger than its rounding explains: SolverStatus::at_rounding.
+  bool at_rounding(const Eigen::VectorXd& x, double residual) const;
 
   /// h of x with velocity g.
   void natural_map(const Eigen::VectorXd& x, const Eigen::VectorXd& g, Eigen::VectorXd& h) const;

@@ -54,7 +54,7 @@ NewtonResult newton_iteration(ScaledProblem& problem, Eigen::VectorXd& x, const 
   m.best = x;
   problem.reset_steps();
   Reference reference;
-  NewtonResult result{0, std::numeric_limits<double>::infinity()};
+  NewtonResult result{0, std::numeric_limits<double>::infinity(), true};
   for (;; ++result.iterations) {
     problem.velocity(x, m.velocity);
     const double residual = problem.residual(x, m.velocity);
@@ -62,8 +62,9 @@ NewtonResult newton_iteration(ScaledProblem& problem, Eigen::VectorXd& x, const 
       result.residual = residual;
       m.best = x;
     }
+    result.finite = std::isfinite(residual);
     if (result.residual <= options.tolerance || result.iterations == options.most_iterations ||
-        !std::isfinite(residual)) {
+        !result.finite) {
       break;
     }
     if (options.largest_step > 0) problem.adapt_steps(x, m.velocity, options.largest_step);
@@ -106,10 +107,13 @@ SolverReport solve_semismooth_newton(const ContactProblem& problem, Eigen::Vecto
       newton_iteration(memory.scaled, memory.x, {options.tolerance / 2, limit, 0}, memory.newton);
   impulse = memory.x.cwiseProduct(memory.scaled.unit);
   result.residual = residual_of(problem, impulse, memory.newton);
-  const SolverStatus status = result.residual <= options.tolerance ? SolverStatus::solved
-                              : result.iterations < limit          ? SolverStatus::diverged
-                                                                   : SolverStatus::iteration_limit;
-  return {status, result.iterations, result.residual, SolverMethod::semismooth_newton};
+  const auto status = [&] {
+    if (result.residual <= options.tolerance) return SolverStatus::solved;
+    if (memory.scaled.at_rounding(memory.x, result.residual)) return SolverStatus::at_rounding;
+    if (!result.finite) return SolverStatus::diverged;
+    return result.iterations < limit ? SolverStatus::stalled : SolverStatus::iteration_limit;
+  };
+  return {status(), result.iterations, result.residual, SolverMethod::semismooth_newton};
 }
 
 }  // namespace contensou

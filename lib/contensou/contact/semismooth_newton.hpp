@@ -33,14 +33,15 @@ struct NewtonOptions {
 struct NewtonResult {
   int iterations;
   double residual;  ///< natural_map_residual
+  bool finite;      ///< whether the last point met had a finite residual, too
 };
 
 /// Newton's method on h(x) = 0 from x, which is the best point met on return. The derivative of the
 /// projection includes that of the friction domain's size, ∂Π_F/∂(μΠ_N), as in Alart & Curnier (1991). Where
 /// W is singular so is the Jacobian: `regularisation` on its diagonal chooses among its solutions and leaves
-/// the iteration linear with a factor of that order. Line search: the first of 12 halvings that brings ½‖h‖²
-/// below the largest of the last five; where none does, ½‖h‖² has a minimum or a kink nearby that is no
-/// solution, and the full step is taken, away from it.
+/// the iteration linear with a factor of that order. Line search: the first of 12 lengths 1, 1/2, 1/4, … that
+/// brings ½‖h‖² below the largest of the last five (with adapted steps: below the last); where none does,
+/// ½‖h‖² has a minimum or a kink nearby that is no solution, and the full step is taken, away from it.
 NewtonResult newton_iteration(ScaledProblem& problem, Eigen::VectorXd& x, const NewtonOptions& options,
                               NewtonMemory& memory);
 
@@ -52,8 +53,8 @@ void start(const ContactProblem& problem, const ScaledProblem& scaled, const Eig
 double residual_of(const ContactProblem& problem, const Eigen::VectorXd& impulse, NewtonMemory& memory);
 
 /// The method SolverMethod::semismooth_newton: newton_iteration alone, at most 100 iterations unless limited
-/// otherwise. Called by ContactSolver::solve, which has checked problem
-/// and options: `problem` is valid, b is not zero, `impulse` has the right size and is finite.
+/// otherwise. `diverged` where it meets a point that is not finite, `stalled` where the Jacobian is singular.
+/// Preconditions: those of ContactSolver::solve's methods, see there.
 SolverReport solve_semismooth_newton(const ContactProblem& problem, Eigen::VectorXd& impulse,
                                      const SolverOptions& options, SemismoothNewtonMemory& memory);
 
