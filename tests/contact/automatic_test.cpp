@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "contensou/contact/contact_solver.hpp"
+#include "contensou/contact/single_contact.hpp"
 
 using namespace contensou;
 
@@ -161,4 +162,25 @@ TEST_CASE("automatic: the caller's limit holds", "[automatic]") {
   const SolverReport report = solver.solve(problem, impulse);
   CHECK(report.iterations <= 50);
   CHECK(report.status != SolverStatus::solved);
+}
+
+TEST_CASE("automatic: one contact without a solution keeps the better impulse, and counts all",
+          "[automatic]") {
+  // W_NN < 0: no solution, LG03 4 (Painlevé); Λ = 0 leaves γ_N = −1.
+  ContactProblem problem{{{&disk, {0.5}}}, Eigen::Matrix3d::Identity(), Eigen::Vector3d(-1, 0.5, 0)};
+  problem.delassus(0, 0) = -1;
+  const Eigen::Vector3d start(0.25, -0.125, 0);
+  Eigen::VectorXd impulse = start;
+  const SolverReport direct = solve_single_contact(problem, impulse, {});
+  CHECK(direct.status == SolverStatus::stalled);
+  CHECK(direct.residual == natural_map_residual(problem, impulse));
+  CHECK(direct.residual <= natural_map_residual(problem, start));
+
+  ContactSolver solver({.max_iterations = 3});
+  impulse = start;
+  const SolverReport report = solver.solve(problem, impulse);
+  CHECK(report.status != SolverStatus::solved);
+  CHECK(report.iterations >= direct.iterations);
+  CHECK(report.iterations <= direct.iterations + 3);
+  CHECK(report.residual <= natural_map_residual(problem, start));
 }

@@ -12,8 +12,9 @@ namespace {
 
 constexpr std::array sweeps_between{10, 30, 90};
 constexpr int sweeps_after_path = 20;
-constexpr double good =
-    1e-10;  // a residual above it is rounding only after some paths: their impulses may be smaller
+// A residual above it is taken for rounding only after some paths: their impulses may be smaller.
+constexpr double good = 1e-10;
+constexpr int some_paths = 4;
 constexpr int most_proximal_steps = 40;
 constexpr int most_paths = 24;
 constexpr int paths_between = 8;  // between proximal point steps, which then start elsewhere
@@ -27,12 +28,15 @@ constexpr std::array<double, 4> newton_steps{1e6, 1e9, 1e3, 30};
 /// The rungs share the best impulses met and the number of iterations left.
 class Ladder {
  public:
-  Ladder(const ContactProblem& problem, const SolverOptions& options, AutomaticMemory& memory)
+  /// `used`: iterations made before.
+  Ladder(const ContactProblem& problem, const SolverOptions& options, int used, AutomaticMemory& memory)
       : problem_(problem),
         wanted_(options.tolerance),
         tolerance_(options.tolerance / 2),
-        left_(options.max_iterations > 0 ? options.max_iterations : std::numeric_limits<int>::max()),
-        m_(memory) {}
+        left_(options.max_iterations > 0 ? std::max(0, options.max_iterations - used)
+                                         : std::numeric_limits<int>::max()),
+        m_(memory),
+        used_(used) {}
 
   SolverReport climb(Eigen::VectorXd& impulse) {
     m_.scaled.set(problem_);
@@ -47,9 +51,7 @@ class Ladder {
  private:
   SolverStatus status() const {
     if (best_ <= wanted_) return SolverStatus::solved;
-    // The estimate is for one rounding where up to some dozens of products are added.
-    constexpr double roundings = 8;
-    if (best_ <= roundings * m_.scaled.rounding(m_.best)) return SolverStatus::at_rounding;
+    if (m_.scaled.at_rounding(m_.best, best_)) return SolverStatus::at_rounding;
     return left_ <= 0 ? SolverStatus::iteration_limit : SolverStatus::stalled;
   }
 
@@ -76,7 +78,7 @@ class Ladder {
 
   bool done() const {
     if (left_ <= 0 || best_ <= tolerance_) return true;
-    if (paths_ < 4 && best_ > good) return false;
+    if (paths_ < some_paths && best_ > good) return false;
     return best_ <= m_.scaled.rounding(m_.best);
   }
 
@@ -166,7 +168,7 @@ class Ladder {
   double tolerance_;  ///< that of the rungs: what rounding makes of it in other units is left room for
   int left_;
   AutomaticMemory& m_;
-  int used_ = 0;
+  int used_;
   int paths_ = 0;
   double best_ = std::numeric_limits<double>::infinity();
 };
@@ -175,11 +177,13 @@ class Ladder {
 
 SolverReport solve_automatic(const ContactProblem& problem, Eigen::VectorXd& impulse,
                              const SolverOptions& options, AutomaticMemory& memory) {
+  int used = 0;
   if (problem.contacts() == 1) {
     const SolverReport report = solve_single_contact(problem, impulse, options);
     if (report.status == SolverStatus::solved) return report;
+    used = report.iterations;
   }
-  return Ladder(problem, options, memory).climb(impulse);
+  return Ladder(problem, options, used, memory).climb(impulse);
 }
 
 }  // namespace contensou

@@ -13,12 +13,22 @@ SolverReport solve_single_contact(const ContactProblem& problem, Eigen::VectorXd
     const ContactVector<Domain> b = group.segment(problem.free_velocity, 0);
     const ContactVector<Domain> guess = group.segment(impulse, 0);
     const double mu = group.mu[i];
+    const auto residual = [&](const ContactVector<Domain>& lambda) {
+      const ContactVector<Domain> velocity = w * lambda + b;
+      return contact_residual<Domain>(group.domain, mu, lambda, velocity, natural_step(row_sum_norm(w), 1),
+                                      b.cwiseAbs().maxCoeff());
+    };
     const auto solution = solve_one_contact<Domain>(group.domain, mu, w, b, guess);
-    group.segment(impulse, 0) = solution.impulse;
     report.iterations = solution.iterations;
-    const ContactVector<Domain> velocity = w * solution.impulse + b;
-    report.residual = contact_residual<Domain>(group.domain, mu, solution.impulse, velocity,
-                                               natural_step(row_sum_norm(w), 1), b.cwiseAbs().maxCoeff());
+    report.residual = residual(solution.impulse);
+    if (!(report.residual <= options.tolerance)) {
+      const double before = residual(guess);
+      if (!(report.residual < before)) {
+        report.residual = before;
+        return;
+      }
+    }
+    group.segment(impulse, 0) = solution.impulse;
   });
   if (report.residual <= options.tolerance) report.status = SolverStatus::solved;
   return report;
