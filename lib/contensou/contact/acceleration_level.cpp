@@ -1,6 +1,7 @@
 #include "contensou/contact/acceleration_level.hpp"
 
 #include <stdexcept>
+#include <string>
 
 #include "contensou/contact/blocks.hpp"
 

@@ -10,8 +10,7 @@ namespace contensou {
 
 /// The solvers of the contact problem.
 enum class SolverMethod {
-  modified_newton,    ///< LG03 4.1: augmented Lagrangian, projection with a parameter r; slow, simple, as
-                      ///< printed
+  modified_newton,    ///< LG03 4.1: augmented Lagrangian, projection; simple, slow; as printed with r given
   gauss_seidel,       ///< projected block Gauss–Seidel: contact after contact, each solved exactly
   semismooth_newton,  ///< Newton's method on the augmented-Lagrangian equations, with a line search
   automatic,          ///< one contact at once; several by semismooth Newton, with all else behind it
@@ -21,13 +20,13 @@ struct SolverOptions {
   SolverMethod method = SolverMethod::automatic;
   double tolerance = 1e-12;  ///< of natural_map_residual
   int max_iterations = 0;    ///< 0: the method's own limit
-  std::optional<double> r =
-      {};  ///< modified_newton only [kg]; not given: chosen safely, see modified_newton.hpp
+  /// modified_newton only [kg]; not given: from the curvature, see modified_newton.hpp.
+  std::optional<double> r = {};
 };
 
 enum class SolverStatus {
   solved,           ///< residual <= tolerance
-  at_rounding,      ///< not so, but impulses are so large that rounding them to doubles explains the residual
+  at_rounding,      ///< not so, but no more than rounding of impulses: from automatic, semismooth_newton only
   iteration_limit,  ///< not reached within the iterations allowed
   stalled,          ///< no further progress is possible (rounding, a local minimum, a cycle)
   diverged,         ///< not finite, or growing without bound
@@ -38,7 +37,7 @@ struct [[nodiscard]] SolverReport {
   SolverStatus status;
   int iterations;
   double residual;      ///< natural_map_residual of the impulses returned
-  SolverMethod method;  ///< that found them; automatic may have changed it on the way
+  SolverMethod method;  ///< the one asked for
 };
 
 /// A solver and its memory: nothing is allocated in `solve` once problems stop growing.
@@ -53,6 +52,9 @@ class ContactSolver {
   /// `impulse`: on entry the initial guess (warm start: the impulses of the last step; of the wrong size it
   /// counts as none), on return the best Λ found, whatever the status. Throws std::invalid_argument as
   /// require_valid does. Ends after a bounded number of iterations, always.
+  ///
+  /// What the methods behind it (solve_automatic and so on) are called with, and do not check: options and
+  /// `problem` are valid, b is not zero, `impulse` has the right size and is finite.
   SolverReport solve(const ContactProblem& problem, Eigen::VectorXd& impulse);
 
  private:

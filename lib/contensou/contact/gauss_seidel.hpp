@@ -25,8 +25,8 @@ struct GaussSeidelMemory {
 /// `stalled` after 640 sweeps that bring no residual lower by a tenth. Of all impulses looked at, the best
 /// are returned.
 ///
-/// The method SolverMethod::gauss_seidel. Called by ContactSolver::solve, which has checked problem
-/// and options: `problem` is valid, b is not zero, `impulse` has the right size and is finite.
+/// The method SolverMethod::gauss_seidel. Preconditions: those of ContactSolver::solve's methods, see
+/// there.
 SolverReport solve_gauss_seidel(const ContactProblem& problem, Eigen::VectorXd& impulse,
                                 const SolverOptions& options, GaussSeidelMemory& memory);
 

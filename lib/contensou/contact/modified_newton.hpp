@@ -45,8 +45,8 @@ void safe_steps(const ContactProblem& problem, Eigen::VectorXd& step);
 /// At most 20000 iterations unless limited otherwise; `stalled` after 2000 without a residual lower by 1e-6
 /// of itself, or where rounding leaves nothing to change. Of all impulses met, the best are returned.
 ///
-/// The method SolverMethod::modified_newton. Called by ContactSolver::solve, which has checked problem
-/// and options: `problem` is valid, b is not zero, `impulse` has the right size and is finite.
+/// The method SolverMethod::modified_newton. Preconditions: those of ContactSolver::solve's methods, see
+/// there.
 SolverReport solve_modified_newton(const ContactProblem& problem, Eigen::VectorXd& impulse,
                                    const SolverOptions& options, ModifiedNewtonMemory& memory);
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "contensou/ball/smooth_plate.hpp"
 #include "contensou/contact/secular.hpp"
 
