@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -37,9 +38,11 @@ class Entries {
 };
 
 const SolverUnderTest& ours(const std::vector<SolverUnderTest>& solvers, const std::string& name) {
-  return *std::find_if(solvers.begin(), solvers.end(), [&](const SolverUnderTest& s) {
+  const auto found = std::find_if(solvers.begin(), solvers.end(), [&](const SolverUnderTest& s) {
     return s.origin == "contensou" && s.name == name && (s.tolerance == aimed_residual || s.tolerance == 0);
   });
+  if (found == solvers.end()) throw std::logic_error("bench_solvers: no solver of ours is called " + name);
+  return *found;
 }
 
 /// Siconos's fastest that solves all problems of the family to the aimed residual; where none does, the
