@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/potential.hpp"
 #include "contensou/contact/blocks.hpp"
 #include "contensou/contact/contact_solver.hpp"
+#include "worst.hpp"
 
 namespace verify::consistency {
 
@@ -35,7 +37,10 @@ Solution solve(const ContactProblem& problem, int most_iterations) {
 }
 
 Power frictional_power(const ContactProblem& problem, const Solution& s) {
-  Power worst{0, 0, 0};
+  // Zero where no contact has friction, or none moves.
+  Worst created(0);
+  Worst apart(0);
+  int slipping = 0;
   contensou::for_each_contact(problem, [&]<class D>(const TypedGroup<D>& group, Eigen::Index i) {
     if constexpr (D::dimension > 0) {
       const double mu = group.mu[i];
@@ -46,20 +51,22 @@ Power frictional_power(const ContactProblem& problem, const Solution& s) {
       const Eigen::Matrix<double, D::dimension, 1> gamma =
           group.segment(s.velocity, i).template tail<D::dimension>();
       const double scale = s.speed * (mu * normal + force.norm() + (1 + mu) * r * gamma.norm());
-      if (!(scale > 0)) return;
+      if (scale == 0) return;
       const double power = force.dot(gamma);
-      const double potential = group.domain.support(contensou::friction_size(mu, normal), gamma);
-      worst.created = std::max(worst.created, power / scale);
-      worst.apart_from_potential = std::max(worst.apart_from_potential, std::abs(power + potential) / scale);
-      if (mu * normal > 0 && gamma.norm() > 1e-8 * s.speed) ++worst.slipping;
+      const double spin = D::dimension == 3 ? std::abs(gamma[D::dimension - 1]) : 0;
+      const double potential =
+          mu * normal * random_contact::Potential{}(group.domain, gamma.template head<2>().norm(), spin);
+      created.add(power / scale);
+      apart.add(std::abs(power + potential) / scale);
+      if (mu * normal > 0 && gamma.norm() > 1e-8 * s.speed) ++slipping;
     }
   });
-  return worst;
+  return {created.value(), apart.value(), slipping};
 }
 
 double energy_gained(const Solution& s, const Eigen::VectorXd& velocity_before) {
   const double scale = s.speed * (s.impulse.lpNorm<1>() + s.step.cwiseProduct(s.velocity).lpNorm<1>());
-  return scale > 0 ? s.impulse.dot(s.velocity + velocity_before) / 2 / scale : 0;
+  return scale == 0 ? 0 : s.impulse.dot(s.velocity + velocity_before) / 2 / scale;
 }
 
 ContactProblem reversed(const ContactProblem& problem, std::vector<Eigen::Index>& rows) {

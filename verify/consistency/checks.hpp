@@ -22,7 +22,7 @@ struct Solution {
 Solution solve(const contensou::ContactProblem& problem, int most_iterations = 0);
 
 /// Λ_F·γ_F of each contact beyond zero, and its distance from −Φ(γ_F), relative to V times
-/// μΛ_N + |Λ_F| + (1 + μ)r|γ_F|: the largest over the contacts.
+/// μΛ_N + |Λ_F| + (1 + μ)r|γ_F|: the largest over the contacts. Φ is the law's, not the ball's.
 struct Power {
   double created;
   double apart_from_potential;

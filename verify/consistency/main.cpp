@@ -9,6 +9,7 @@
 #include <limits>
 #include <map>
 #include <string>
+#include <utility>
 
 #include "checks.hpp"
 #include "common/program.hpp"
@@ -36,7 +37,7 @@ struct Tally {
 
   void add(double value) {
     ++problems;
-    worst = std::isnan(value) ? std::numeric_limits<double>::infinity() : std::max(worst, value);
+    worst = std::max(worst, std::isnan(value) ? std::numeric_limits<double>::infinity() : value);
     if (!(value <= bound)) ++beyond;
   }
 };
@@ -81,6 +82,21 @@ class Tallies {
   std::map<std::pair<std::string, std::string>, Tally> tallies_;
 };
 
+/// Problems asked beside the random ones: of those not solved, how many doubles cannot solve any better.
+struct Asked {
+  int problems = 0;
+  int at_rounding = 0;
+  int unsolved = 0;  ///< and not at rounding
+
+  /// Whether it is solved.
+  bool add(const Solution& s) {
+    ++problems;
+    if (s.residual <= solved) return true;
+    ++(s.at_rounding ? at_rounding : unsolved);
+    return false;
+  }
+};
+
 /// Newton's restitution, the same for all contacts, with b as the velocity before.
 ContactProblem with_restitution(ContactProblem problem) {
   contensou::for_each_contact(problem, [&](const auto& group, Eigen::Index i) {
@@ -96,12 +112,12 @@ constexpr double power_bound = 2 * solved;
 constexpr double energy_bound = 4 * solved;
 
 void check_energy(const ContactProblem& problem, const std::string& rows, const Solution& inelastic,
-                  Tallies& tallies) {
+                  Tallies& tallies, Asked& asked) {
   tallies.add("impact_inelastic", rows, energy_bound, energy_gained(inelastic, problem.free_velocity));
   const ContactProblem elastic = with_restitution(problem);
   // Restitution can ask for what bodies cannot do, and then there is no solution to look for any longer.
   const Solution s = solve(elastic, 1000);
-  if (!(s.residual <= solved)) return;
+  if (!asked.add(s)) return;
   const bool frictionless = rows == "frictionless";
   const std::string check = frictionless              ? "impact_frictionless"
                             : problem.contacts() == 1 ? "impact_friction_one"
@@ -109,13 +125,13 @@ void check_energy(const ContactProblem& problem, const std::string& rows, const 
   tallies.add(check, rows, energy_bound, energy_gained(s, problem.free_velocity));
 }
 
-void check_order(const ContactProblem& problem, const std::string& rows, const Solution& s,
-                 Tallies& tallies) {
+void check_order(const ContactProblem& problem, const std::string& rows, const Solution& s, Tallies& tallies,
+                 Asked& asked) {
   if (problem.contacts() < 2 || s.speed == 0) return;  // b = 0: nothing moves
   std::vector<Eigen::Index> order;
   const ContactProblem other = reversed(problem, order);
   const Solution t = solve(other);
-  if (!(t.residual <= solved)) return;
+  if (!asked.add(t)) return;
   const Eigen::VectorXd difference = t.velocity - s.velocity(order);
   const Uniqueness here = uniqueness(problem);
   if (here.proven) {
@@ -144,6 +160,8 @@ int run(const std::filesystem::path& folder) {
   Tallies tallies;
   int unsolved = 0;
   long slipping = 0;
+  Asked elastic;
+  Asked reordered;
   for (std::uint64_t seed = 0; seed < problems; ++seed) {
     const random_contact::RandomProblem random = random_contact::random_problem(seed);
     const ContactProblem& problem = random.problem;
@@ -159,8 +177,8 @@ int run(const std::filesystem::path& folder) {
       tallies.add("potential", rows, power_bound, power.apart_from_potential);
       slipping += power.slipping;
     }
-    check_energy(problem, rows, s, tallies);
-    check_order(problem, rows, s, tallies);
+    check_energy(problem, rows, s, tallies, elastic);
+    check_order(problem, rows, s, tallies, reordered);
   }
   contensou::write_table(tallies.table(), folder / "consistency.tsv");
   for (const std::string& line :
@@ -175,6 +193,11 @@ int run(const std::filesystem::path& folder) {
   }
   std::printf("%ld slipping contacts; %d of %d problems not solved to %g\n", slipping, unsolved,
               static_cast<int>(problems), solved);
+  for (const auto& [what, asked] :
+       {std::pair{"with restitution", elastic}, std::pair{"reversed", reordered}}) {
+    std::printf("%d problems %s, %d at rounding, %d not solved\n", asked.problems, what, asked.at_rounding,
+                asked.unsolved);
+  }
 
   Record record("consistency");
   record.add(Claim{"consistency.solved", "LG03 (4.17)",
@@ -195,9 +218,15 @@ int run(const std::filesystem::path& folder) {
                    "Newton's impact law; against it Kane & Levinson, Dynamics: Theory and Applications, 1985",
                    "with friction, the impact of one contact with restitution 0.8 adds no energy",
                    tallies.at("impact_friction_one"), false));
+  record.add(Claim{"consistency.order.solved", "LG03 (4.17)",
+                   "solved problems that the default solver does not solve to 1e-10 nor to rounding with "
+                   "their contacts in reverse order (" +
+                       std::to_string(reordered.problems) + " problems)",
+                   0, static_cast<double>(reordered.unsolved), static_cast<double>(reordered.unsolved), 0,
+                   true});
   record.add(claim("order", "LG03 (4.17)",
                    "velocities do not depend on the order of contacts where the solution is provably unique: "
-                   "difference over its bound",
+                   "difference over its bound (from the defects of the library's own projection)",
                    tallies.at("order")));
   return record.finish(folder / "parts");
 }
