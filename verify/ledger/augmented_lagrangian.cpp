@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "inclusion.hpp"
 #include "oracle.hpp"
@@ -242,20 +244,35 @@ Finding moving_ball() {
               text(noted.error, 3)};
 }
 
+/// Whether the ball of that size has the point nearest to x, tested by its planes: λ·c <= size Φ(c).
+bool has_nearest(const Vector3d& x, double size, const std::vector<std::pair<Vector3d, double>>& planes) {
+  const Vector3d nearest = hertz_ball::prox(x, size);
+  return std::all_of(planes.begin(), planes.end(), [&](const auto& plane) {
+    const auto& [c, support] = plane;
+    return nearest.dot(c) - size * support <= 1e-10 * c.norm() * std::abs(size);
+  });
+}
+
 Finding defined_everywhere() {
+  // With c there is −c: a ball of negative size would have to be in front of one plane and behind the other.
+  std::vector<std::pair<Vector3d, double>> planes;
+  for (const Vector3d& c : hertz_ball::cover(16)) planes.emplace_back(c, hertz_ball::support(c));
   int count = 0;
   int printed = 0;
   int noted = 0;
-  for (int k = 0; k < 1000; ++k) {
+  for (int k = 1; k <= 300; ++k) {
     const double impulse = 2 * std::sin(1.0 * k);
     const double gamma = 2 * std::cos(1.7 * k);
+    const Vector3d x(3 * std::sin(0.7 * k), 3 * std::cos(2.1 * k), 3 * std::sin(1.3 * k + 1));
     ++count;
-    if (impulse >= 0) ++printed;
-    if (std::max(0.0, impulse - some_r * gamma) >= 0) ++noted;
+    if (has_nearest(x, impulse, planes)) ++printed;
+    if (has_nearest(x, std::max(0.0, impulse - some_r * gamma), planes)) ++noted;
   }
   return {relative(1, ratio(printed, count)), relative(1, ratio(noted, count)), 0,
-          "Of 1000 pairs (Λ_N, γ_N) of either sign B_F(Λ_N) exists for " + text(printed) +
-              ", B_F(prox(Λ_N − rγ_N)) for " + text(noted)};
+          "Of " + text(count) +
+              " triples (Λ_N, γ_N, Λ_F − rγ_F), Λ_N of either sign, the nearest point of "
+              "B_F(Λ_N) exists for " +
+              text(printed) + ", of B_F(prox(Λ_N − rγ_N)) for " + text(noted)};
 }
 
 Finding same_at_solution() {
