@@ -4,23 +4,17 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <random>
 #include <variant>
+#include <vector>
 
-#include "contensou/law/friction_law.hpp"
+#include "contact/potential.hpp"
+#include "worst.hpp"
 
 namespace random_contact {
 namespace {
 
 using namespace contensou;
-
-/// Φ/(μλ_N) for ‖γ_T‖ = v and |γ_τ| = s; a disk knows no spin.
-struct Potential {
-  double operator()(const FrictionDisk&, double v, double) const { return v; }
-  template <class L>
-  double operator()(const FrictionBall<SmoothPlate<L>>& ball, double v, double s) const {
-    return v == 0 && s == 0 ? 0 : potential(ball.plate().law(), v, s);
-  }
-};
 
 /// max over unit directions of (t, τ)·(sin ψ, cos ψ) − size Φ(sin ψ, cos ψ): the distance of an outer point.
 template <class Domain>
@@ -58,18 +52,18 @@ struct Scales {
 };
 
 template <class Domain>
-double friction_error(const Domain& domain, double mu, const Scales& scales, double normal_impulse,
-                      const Eigen::VectorXd& force, const Eigen::VectorXd& slip) {
+void add_friction_errors(const Domain& domain, double mu, const Scales& scales, double normal_impulse,
+                         const Eigen::VectorXd& force, const Eigen::VectorXd& slip, verify::Worst& worst) {
   const double size = mu * std::max(0.0, normal_impulse);
   const double t = force.head<2>().norm();
   const double v = slip.head<2>().norm();
   const double tau = Domain::dimension == 3 ? std::abs(force[2]) : 0;
   const double s = Domain::dimension == 3 ? std::abs(slip[2]) : 0;
-  const double outside = excess(domain, t, tau, size) / (scales.r * scales.speed * (1 + mu));
+  worst.add(excess(domain, t, tau, size) / (scales.r * scales.speed * (1 + mu)));
   const double gap = force.dot(slip) + size * Potential{}(domain, v, s);
   const double unit =
       scales.speed * (force.norm() + size + scales.r * (1 + mu) * (scales.speed + slip.norm()));
-  return std::max(outside, std::abs(gap) / unit);
+  worst.add(std::abs(gap) / unit);
 }
 
 /// Calls function(friction, mu, first row, rows) for each contact.
@@ -111,30 +105,48 @@ double inclusion_residual(const ContactProblem& problem, const Eigen::VectorXd& 
     velocity[i] = static_cast<double>(sum);
   }
   const double speed = problem.free_velocity.cwiseAbs().maxCoeff();
-  double worst = 0;
+  if (speed == 0) return impulse.isZero(0) ? 0 : std::numeric_limits<double>::infinity();
+  verify::Worst worst;
   for_each(problem, [&](const AnyFriction& friction, double mu, Eigen::Index row, int count) {
     const Scales scales{speed, 1 / norm_of(problem, row, count)};
-    worst = std::max(worst, std::abs(std::min(velocity[row], impulse[row] / scales.r)) / speed);
+    worst.add(std::isnan(velocity[row]) ? velocity[row]
+                                        : std::abs(std::min(velocity[row], impulse[row] / scales.r)) / speed);
     std::visit(
         [&]<class Domain>(const Domain& domain) {
           if constexpr (Domain::dimension > 0) {
-            worst = std::max(worst, friction_error(domain, mu, scales, impulse[row],
-                                                   impulse.segment(row + 1, Domain::dimension),
-                                                   velocity.segment(row + 1, Domain::dimension)));
+            add_friction_errors(domain, mu, scales, impulse[row], impulse.segment(row + 1, Domain::dimension),
+                                velocity.segment(row + 1, Domain::dimension), worst);
           }
         },
         friction);
   });
-  return worst;
+  return worst.value();
 }
 
-double rounding_residual(const ContactProblem& problem, const Eigen::VectorXd& impulse) {
-  const Eigen::VectorXd b = problem.free_velocity.cwiseAbs();
-  double largest = (problem.delassus.cwiseAbs() * impulse.cwiseAbs() + b).maxCoeff();
+double rounding_spread(const ContactProblem& problem, const Eigen::VectorXd& impulse) {
+  constexpr int patterns = 32;
+  std::mt19937_64 random(5);
+  const long double speed = problem.free_velocity.cwiseAbs().maxCoeff();
+  std::vector<long double> shift(static_cast<std::size_t>(impulse.size()));
+  verify::Worst worst;
+  for (int k = 0; k < patterns; ++k) {
+    for (std::size_t j = 0; j < shift.size(); ++j) {
+      const long double half_ulp = 0x1p-53L * impulse[static_cast<Eigen::Index>(j)];
+      shift[j] = random() >> 63 == 0 ? half_ulp : -half_ulp;
+    }
+    for (Eigen::Index i = 0; i < impulse.size(); ++i) {
+      long double sum = 0;
+      for (std::size_t j = 0; j < shift.size(); ++j) {
+        sum += static_cast<long double>(problem.delassus(i, static_cast<Eigen::Index>(j))) * shift[j];
+      }
+      worst.add(static_cast<double>(std::abs(sum) / speed));
+    }
+  }
   for_each(problem, [&](const AnyFriction&, double, Eigen::Index row, int count) {
-    largest = std::max(largest, impulse.segment(row, count).norm() * norm_of(problem, row, count));
+    const double length = 0x1p-53 * impulse.segment(row, count).norm();
+    worst.add(length * norm_of(problem, row, count) / static_cast<double>(speed));
   });
-  return std::numeric_limits<double>::epsilon() * largest / b.maxCoeff();
+  return worst.value();
 }
 
 }  // namespace random_contact

@@ -25,9 +25,16 @@ using contensou::SolverMethod;
 
 // A problem counts as solved at this natural-map residual.
 constexpr double solved = 1e-10;
-// Rounding of the impulses explains a residual up to this many times its estimate, which is for one rounding
-// where up to 32 products are added.
-constexpr double roundings = 8;
+// A residual is explained by rounding up to this many times what one rounding of Λ does. A solver sees γ with
+// the roundings of 32 products and 32 sums, which add as a random walk does: 8; and twice that.
+constexpr double roundings = 16;
+
+/// Whether no doubles can be expected to be better: both the natural map and the contact laws as written, the
+/// latter in long double and without projections, hold to the effect of rounding Λ.
+bool at_rounding(const contensou::ContactProblem& problem, const Eigen::VectorXd& impulse, double residual) {
+  const double explained = roundings * random_contact::rounding_spread(problem, impulse);
+  return residual <= explained && random_contact::inclusion_residual(problem, impulse) <= 2 * explained;
+}
 
 struct Method {
   std::string name;
@@ -51,6 +58,7 @@ struct Outcome {
   Count all;
   int at_rounding = 0;  ///< of the unsolved
   double worst_inclusion = 0;
+  double inclusion_ratio = 0;  ///< worst, over twice (1e-10 and what rounding explains)
   double seconds = 0;
   std::vector<int> iterations;
   std::vector<double> times;  ///< of the solved
@@ -87,9 +95,14 @@ Outcome run_method(const Method& method) {
     outcome.iterations.push_back(report.iterations);
     if (good) {
       outcome.times.push_back(seconds);
-      outcome.worst_inclusion =
-          std::max(outcome.worst_inclusion, random_contact::inclusion_residual(random.problem, impulse));
-    } else if (residual <= roundings * random_contact::rounding_residual(random.problem, impulse)) {
+      const double inclusion = random_contact::inclusion_residual(random.problem, impulse);
+      outcome.worst_inclusion = std::max(outcome.worst_inclusion, inclusion);
+      double allowed = solved;
+      if (inclusion > 2 * allowed) {
+        allowed += roundings * random_contact::rounding_spread(random.problem, impulse);
+      }
+      outcome.inclusion_ratio = std::max(outcome.inclusion_ratio, inclusion / (2 * allowed));
+    } else if (at_rounding(random.problem, impulse, residual)) {
       ++outcome.at_rounding;
     }
     const auto add = [&](Count& count) {
@@ -146,8 +159,8 @@ class Report {
   contensou::Table overall_{
       {"Random contact problems (random_problems.hpp), cold start, tolerance 1e-10.",
        "unsolved: natural_map_residual above 1e-10; at_rounding: of these, those no better than doubles can "
-       "be, "
-       "residual <= 8 * 2^-52 * max(|W||Lambda| + |b|, |Lambda_i|*|W_ii|)/max|b|.",
+       "be: residual <= 16 times, inclusion <= 32 times what one rounding of Lambda does, measured in long "
+       "double.",
        "inclusion: worst residual of the solved in the contact laws as written, without projections.",
        "iterations: as each method counts them; seconds: of all problems, unsolved ones included."},
       {"method", "problems", "unsolved", "at_rounding", "worst_residual", "worst_inclusion",
@@ -168,18 +181,22 @@ void claim(const Outcome& o, Record& record) {
             "random problems of " + std::to_string(o.all.problems) +
                 " that the default solver leaves above 1e-10, but for those where no doubles are better",
             0, lost, lost, 0, true});
-  // Impulses of |W||Λ| = 1e5 V have roundings of 1e-10: wedged bodies, a few in 1e5.
+  // 16 roundings are 1e-10 where |W||Λ| = 6e4 V. Impulses are V over the distance of a wedge's self-stress
+  // from the border of the friction cone, and that has a density of the order of 1: 1/6e4 for each of up to
+  // 28 pairs of contacts, in the two of five structures that have loops: 2e-4, and 5 times that for
+  // a density that is not known.
   const double share = static_cast<double>(o.at_rounding) / o.all.problems;
   record.add(
       Claim{"contact.automatic.rounding", "LG03 (4.17)",
             "share of random problems whose impulses are so large that doubles have no better ones than the "
             "default solver's, residual above 1e-10",
             0, share, share, 1e-3, true});
+  // The natural map takes γ in doubles, the inclusion in long double: their roundings come on top of 1e-10.
   record.add(
       Claim{"contact.automatic.inclusion", "LG03 (4.8)",
-            "worst residual of the default solver's solutions in the contact laws as written: no projection "
-            "involved",
-            0, o.worst_inclusion, o.worst_inclusion, 2 * solved, true});
+            "worst residual of the default solver's solutions in the contact laws as written, over twice "
+            "1e-10 and the roundings of gamma: no projection involved (without the roundings: obtained)",
+            0, o.worst_inclusion, o.inclusion_ratio, 1, true});
   // 30 + 130 + 90 iterations; 40 proximal steps of 30 + 30 before the paths and after every eighth; 24 paths
   // of 300 steps with 100 + 20 + 30 iterations after each.
   const double most = 30 + 130 + 90 + 4 * 40 * (30 + 30) + 24 * (300 + 100 + 20 + 30);
