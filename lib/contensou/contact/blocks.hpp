@@ -149,6 +149,11 @@ double contact_residual(const Domain& domain, double mu, const ContactVector<Dom
 /// 1/(largest ‖W_jj‖), and 1 kg where all are. `step` is resized to the number of contacts.
 void natural_steps(const ContactProblem& problem, Eigen::VectorXd& step);
 
+/// γ = WΛ + b, summed in long double: for certificates. Where large impulses balance, the rounding of sums in
+/// double would hide what is left of them. `velocity` has the right size; allocates nothing.
+void certified_velocity(const ContactProblem& problem, const Eigen::VectorXd& impulse,
+                        Eigen::VectorXd& velocity);
+
 /// natural_map_residual where γ = WΛ + b and r are at hand; allocates nothing. Not finite input gives
 /// infinity, never an exception.
 double natural_map_residual(const ContactProblem& problem, const Eigen::VectorXd& impulse,

@@ -94,6 +94,17 @@ void natural_steps(const ContactProblem& problem, Eigen::VectorXd& step) {
   for (double& r : step) r = natural_step(r, fallback);
 }
 
+void certified_velocity(const ContactProblem& problem, const Eigen::VectorXd& impulse,
+                        Eigen::VectorXd& velocity) {
+  for (Eigen::Index i = 0; i < impulse.size(); ++i) {
+    long double sum = problem.free_velocity[i];
+    for (Eigen::Index j = 0; j < impulse.size(); ++j) {
+      sum += static_cast<long double>(problem.delassus(i, j)) * impulse[j];
+    }
+    velocity[i] = static_cast<double>(sum);
+  }
+}
+
 double natural_map_residual(const ContactProblem& problem, const Eigen::VectorXd& impulse,
                             const Eigen::VectorXd& velocity, const Eigen::VectorXd& step) {
   if (impulse.size() == 0) return 0;
@@ -112,7 +123,8 @@ double natural_map_residual(const ContactProblem& problem, const Eigen::VectorXd
 double natural_map_residual(const ContactProblem& problem, const Eigen::VectorXd& impulse) {
   Eigen::VectorXd step;
   natural_steps(problem, step);
-  const Eigen::VectorXd velocity = problem.delassus * impulse + problem.free_velocity;
+  Eigen::VectorXd velocity(problem.rows());
+  certified_velocity(problem, impulse, velocity);
   return natural_map_residual(problem, impulse, velocity, step);
 }
 

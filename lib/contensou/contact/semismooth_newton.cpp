@@ -93,8 +93,8 @@ void start(const ContactProblem& problem, const ScaledProblem& scaled, const Eig
 
 double residual_of(const ContactProblem& problem, const Eigen::VectorXd& impulse, NewtonMemory& m) {
   natural_steps(problem, m.natural);
-  m.velocity = problem.free_velocity;
-  m.velocity.noalias() += problem.delassus * impulse;
+  m.velocity.resize(problem.rows());
+  certified_velocity(problem, impulse, m.velocity);
   return natural_map_residual(problem, impulse, m.velocity, m.natural);
 }
 
