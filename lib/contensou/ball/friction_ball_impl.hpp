@@ -148,7 +148,8 @@ ProjectionDerivative<3> FrictionBall<P>::derivative(const Projection<3>& q, cons
   const Meridian point = detail::cylindrical(q.point).meridian;
   const double radius =
       size * plate_.curvature_radius({point, direction, q.distance, q.residual, q.iterations, false});
-  const double along = 1 / (1 + q.distance / radius);
+  // The radius may have left the range of doubles; on the border the limit is 1 whatever it is.
+  const double along = q.distance == 0 ? 1 : 1 / (1 + q.distance / radius);
   const double across = frame.meridian.t > 0 ? point.t / frame.meridian.t : along;
   ProjectionDerivative<3> d;
   d.force = detail::projection_jacobian(frame, n, along, across);
