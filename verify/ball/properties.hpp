@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <string>
 
@@ -20,18 +21,28 @@ enum Property : std::size_t {
   finite,         ///< a result that is no number, or a normal that is no unit vector: 1, else 0
   parallel,       ///< force − point beside the normal, or against it
   border,         ///< point off the border, by the oracle
-  distance,       ///< distance and residual given, against force − point
+  distance,       ///< distance given, against force − point; infinite only beyond the range of doubles
+  residual,       ///< residual given, against what force − point has beside the normal
   inside,         ///< inside by projection but not by gauge, or the other way: by how much
   idempotent,     ///< how far the projection of the projection moves
   non_expansive,  ///< by how much two points come out farther apart than they were
   symmetric,      ///< any other bit after a mirroring (zeros may differ in sign): 1, else 0
-  derivative,     ///< D not symmetric, eigenvalues beside [0, 1], D p + size ∂q/∂size ≠ q
+  homogeneous,    ///< derivative D not symmetric, D p + size ∂q/∂size ≠ q; relative to max(1, ‖D‖)
+  contracting,    ///< eigenvalues of D beside [0, 1]
   property_count,
 };
 
-inline constexpr std::array<const char*, property_count> property_names{
-    "finite",     "parallel",      "border",    "distance",  "inside",
-    "idempotent", "non_expansive", "symmetric", "derivative"};
+inline constexpr std::array<const char*, property_count> property_names{"finite",
+                                                                        "parallel",
+                                                                        "border",
+                                                                        "distance",
+                                                                        "residual",
+                                                                        "inside",
+                                                                        "idempotent",
+                                                                        "non_expansive",
+                                                                        "symmetric",
+                                                                        "derivative_homogeneous",
+                                                                        "derivative_contracting"};
 
 struct Statistics {
   std::array<std::uint64_t, property_count> points{};
@@ -40,14 +51,17 @@ struct Statistics {
 
   void add(Property property, Real error) {
     ++points[property];
-    const double e = static_cast<double>(error);
-    if (!(e <= worst[property])) worst[property] = e;
+    const double e = std::isnan(error) ? std::numeric_limits<double>::infinity() : static_cast<double>(error);
+    worst[property] = std::max(worst[property], e);
   }
 };
 
 using Vector = Eigen::Matrix<Real, 3, 1>;
 
 inline Real length(const Vector& x) { return std::hypot(x[0], x[1], x[2]); }
+
+/// max(0, x); a NaN stays one.
+inline Real positive_part(Real x) { return x <= 0 ? 0 : x; }
 
 inline Real ulp(const FrictionForce& force, double size) {
   return std::max(0x1p-52L * std::max(length(force.cast<Real>()), Real(size)), Real(0x1p-1074));
@@ -76,9 +90,15 @@ inline void judge_border(const Question& question, const contensou::Projection<3
   const Vector rest = p - x;
   const Real along = rest.dot(n) / unit;
   const Real beside = length(rest - along / unit * n);
-  s.add(parallel, (beside + std::max(Real(0), -along)) / scale);
-  // Where the distance is beyond the range of doubles it is rightly infinite.
-  if (std::isfinite(q.distance)) s.add(distance, std::abs(q.distance - along) / scale);
+  s.add(parallel, (beside + positive_part(-along)) / scale);
+  // A length beyond the range of doubles is rightly infinite.
+  const auto add_length = [&](Property property, double given, Real length) {
+    constexpr Real largest = std::numeric_limits<double>::max();
+    const bool beyond = std::isinf(given) && length > largest * (1 - 0x1p-50L);
+    s.add(property, beyond ? 0 : std::abs(given - length) / scale);
+  };
+  add_length(distance, q.distance, along);
+  add_length(residual, q.residual, beside);
   if (question.size == 0) {
     s.add(border, length(x) / scale);
   } else {
@@ -94,11 +114,16 @@ void judge_derivative(const Ball& ball, const Question& question, const contenso
                       Statistics& s) {
   const contensou::ProjectionDerivative<3> d = ball.derivative(q, question.force, question.size);
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(d.force);
-  Real error = (d.force - d.force.transpose()).cwiseAbs().maxCoeff();
-  error = std::max({error, Real(-eigen.eigenvalues()[0]), Real(eigen.eigenvalues()[2] - 1)}) / 0x1p-52L;
+  const Eigen::Vector3d values = eigen.eigenvalues();
+  const Real norm = std::max(1.0, values.cwiseAbs().maxCoeff());
   const Vector sum = d.force.cast<Real>() * question.force.cast<Real>() + question.size * d.size.cast<Real>();
-  error = std::max(error, length(sum - q.point.cast<Real>()) / ulp(question.force, question.size));
-  s.add(derivative, error);
+  const Real apart = length(sum - q.point.cast<Real>()) / ulp(question.force, question.size);
+  // A NaN anywhere in D is one here.
+  const Real skew = (d.force - d.force.transpose()).norm() / 0x1p-52L;
+  s.add(homogeneous, skew / norm);
+  s.add(homogeneous, apart / norm);
+  s.add(contracting, positive_part(-values[0]) / 0x1p-52L);
+  s.add(contracting, positive_part(values[2] - 1) / 0x1p-52L);
 }
 
 /// All properties at one question. `which`: of the mirrorings; 0 to 15.
@@ -116,12 +141,12 @@ void judge(const Ball& ball, const Question& question, std::uint64_t which, cons
     if (which == 0) judge_derivative(ball, question, q, s);
   }
   const Real excess = Real(ball.gauge(force)) - size;
-  s.add(inside, std::max(Real(0), q.inside ? excess : -excess) / scale);
+  s.add(inside, positive_part(q.inside ? excess : -excess) / scale);
 
   const contensou::Projection<3> beside = ball.project(other, size);
   const Real before = length(force.cast<Real>() - other.cast<Real>());
   const Real after = length(q.point.template cast<Real>() - beside.point.template cast<Real>());
-  s.add(non_expansive, std::max(Real(0), after - before) / std::max(scale, ulp(other, size)));
+  s.add(non_expansive, positive_part(after - before) / std::max(scale, ulp(other, size)));
 
   const contensou::Projection<3> mirror = ball.project(mirrored(force, which), size);
   const bool same = mirrored(q.point, which) == mirror.point && mirrored(q.normal, which) == mirror.normal &&
