@@ -89,4 +89,5 @@ if(bench_programs)
 endif()
 
 set(verification_statuses
-  ${verify_quadrature_status} ${verify_ledger_status} ${verify_plates_status} ${verify_ball_status} ${verify_accuracy_status} ${verify_augmented_status} ${verify_contact_status} ${verify_consistency_status} ${verify_siconos_status})
+  ${verify_quadrature_status} ${verify_ledger_status} ${verify_plates_status} ${verify_ball_status} ${verify_accuracy_status}
+  ${verify_augmented_status} ${verify_contact_status} ${verify_consistency_status} ${verify_siconos_status})
