@@ -26,7 +26,7 @@ struct SolverOptions {
 
 enum class SolverStatus {
   solved,           ///< residual <= tolerance
-  at_rounding,      ///< not so, but no more than rounding of impulses: from automatic, semismooth_newton only
+  at_rounding,      ///< not so, but by no more than the rounding of impulses and velocities to doubles
   iteration_limit,  ///< not reached within the iterations allowed
   stalled,          ///< no further progress is possible (rounding, a local minimum, a cycle)
   diverged,         ///< not finite, or growing without bound

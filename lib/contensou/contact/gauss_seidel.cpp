@@ -88,8 +88,12 @@ SolverReport solve_gauss_seidel(const ContactProblem& problem, Eigen::VectorXd& 
     }
   }
   impulse = memory.best;
-  if (best_residual <= options.tolerance) status = SolverStatus::solved;
-  return {status, sweeps, best_residual, SolverMethod::gauss_seidel};
+  certified_velocity(problem, impulse, memory.velocity);
+  const double certified = natural_map_residual(problem, impulse, memory.velocity, memory.step);
+  if (best_residual <= options.tolerance) {
+    status = certified <= options.tolerance ? SolverStatus::solved : SolverStatus::at_rounding;
+  }
+  return {status, sweeps, certified, SolverMethod::gauss_seidel};
 }
 
 }  // namespace contensou

@@ -102,7 +102,10 @@ SolverReport solve_modified_newton(const ContactProblem& problem, Eigen::VectorX
   bool fresh = true;  // there is no step behind Λ to take the curvature from
   const auto finish = [&](SolverStatus status, int iterations) {
     impulse = m.best;
-    return SolverReport{status, iterations, best, SolverMethod::modified_newton};
+    certified_velocity(problem, impulse, m.velocity);
+    const double certified = natural_map_residual(problem, impulse, m.velocity, m.natural_step);
+    if (status == SolverStatus::solved && certified > options.tolerance) status = SolverStatus::at_rounding;
+    return SolverReport{status, iterations, certified, SolverMethod::modified_newton};
   };
   for (int k = 0;; ++k) {
     const double residual = natural_map_residual(problem, impulse, m.velocity, m.natural_step);
