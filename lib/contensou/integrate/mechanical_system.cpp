@@ -1,0 +1,39 @@
+#include "contensou/integrate/mechanical_system.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "contensou/text/number.hpp"
+
+namespace contensou {
+namespace {
+
+[[noreturn]] void reject(const SystemContact& contact, const char* what, double value, const char* expected) {
+  throw std::invalid_argument("contact " + contact.name + ": " + what + " " + to_text(value) +
+                              ", expected " + expected);
+}
+
+void require_valid(const SystemContact& contact) {
+  const int n = rows(contact.friction);
+  if (n > 1 && !(contact.mu >= 0 && std::isfinite(contact.mu)))
+    reject(contact, "mu", contact.mu, "a number >= 0");
+  if (n > 3 && !(contact.radius > 0 && std::isfinite(contact.radius)))
+    reject(contact, "radius", contact.radius, "a number > 0");
+  if (!(contact.restitution >= 0 && contact.restitution <= 1))
+    reject(contact, "restitution", contact.restitution, "a number from 0 to 1");
+}
+
+}  // namespace
+
+MechanicalSystem::MechanicalSystem(std::vector<SystemContact> contacts) : contacts_(std::move(contacts)) {
+  for (const SystemContact& contact : contacts_) require_valid(contact);
+}
+
+void MechanicalSystem::coordinate_rates(ConstVector /*q*/, ConstVector u, VectorRef rates) const {
+  rates = u;
+}
+
+void MechanicalSystem::restore(VectorRef /*q*/) const {}
+
+}  // namespace contensou

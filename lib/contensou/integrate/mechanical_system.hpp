@@ -1,0 +1,80 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "contensou/contact/contact_problem.hpp"
+
+namespace contensou {
+
+using Vector = Eigen::VectorXd;
+using ConstVector = const Eigen::Ref<const Eigen::VectorXd>&;
+using VectorRef = Eigen::Ref<Eigen::VectorXd>;
+
+/// What a contact of a system is made of. The rows it has are those of its friction: 1, 3 or 4.
+struct SystemContact {
+  std::string name;
+  AnyFriction friction;
+  double mu = 0;           ///< friction coefficient, >= 0; unused where frictionless
+  double radius = 0;       ///< contact radius R [m], > 0 with four rows; unused otherwise
+  double restitution = 0;  ///< ε_N, 0 to 1
+};
+
+/// The rows of one contact at one state, in the order (N, T1, T2, τ); columns beyond the contact's own are
+/// left alone. f velocities.
+struct ContactRows {
+  Eigen::Matrix<double, Eigen::Dynamic, 4> directions;  ///< (w_N, w_T1, w_T2, w_τ), f × 4
+  Eigen::Matrix<double, Eigen::Dynamic, 4> response;    ///< M⁻¹ of these, f × 4
+  Eigen::Vector4d velocity;                             ///< γ = Wᵀu + w̃ [m/s], last one ωR
+  Eigen::Vector4d drift;                                ///< γ̇ at u̇ = 0: Ẇᵀu + ∂w̃/∂t [m/s²]
+
+  explicit ContactRows(Eigen::Index f = 0) : directions(f, 4), response(f, 4) {}
+};
+
+/// A mechanical system with unilateral contacts, LG03 (4.1), as integrators see it:
+///     M(q)u̇ = h(t, q, u) + Σ W_i(t, q) λ_i,     q̇ = F(q)u,     γ_i = W_iᵀu + w̃_i,     ġ_Ni = γ_Ni.
+/// Coordinates q (n of them) and velocities u (f <= n; for f = n and F = 1 these are LG03's). A system is
+/// immutable; its functions are pure, allocate nothing, and write into memory of the right size that they are
+/// given (rows: ContactRows(f)).
+class MechanicalSystem {
+ public:
+  virtual ~MechanicalSystem() = default;
+
+  virtual Eigen::Index coordinates() const = 0;
+  virtual Eigen::Index velocities() const = 0;
+  /// Set at construction; the order is that of all contact indices.
+  const std::vector<SystemContact>& contacts() const { return contacts_; }
+
+  /// q̇ = F(q)u.
+  virtual void coordinate_rates(ConstVector q, ConstVector u, VectorRef rates) const;
+  /// Back onto the manifold of coordinates after a step (unit quaternions, unit axes); nothing to do for most.
+  virtual void restore(VectorRef q) const;
+
+  /// M(q), f × f.
+  virtual void mass_matrix(ConstVector q, Eigen::Ref<Eigen::MatrixXd> mass) const = 0;
+  /// h(t, q, u), f.
+  virtual void force(double t, ConstVector q, ConstVector u, VectorRef h) const = 0;
+  /// M(q)⁻¹h(t, q, u), f: the acceleration without contacts. Where this is infinite or undefined (a singular
+  /// M), so are the numbers written.
+  virtual void free_acceleration(double t, ConstVector q, ConstVector u, VectorRef a) const = 0;
+
+  /// g_N of a contact [m].
+  virtual double gap(std::size_t contact, double t, ConstVector q) const = 0;
+  /// All of ContactRows, also for an open contact.
+  virtual void contact_rows(std::size_t contact, double t, ConstVector q, ConstVector u,
+                            ContactRows& rows) const = 0;
+
+  virtual double kinetic_energy(ConstVector q, ConstVector u) const = 0;  ///< [J]
+  virtual double potential_energy(ConstVector q) const = 0;               ///< [J]
+
+ protected:
+  /// Throws std::invalid_argument with one line that names the contact and what is wrong with it.
+  explicit MechanicalSystem(std::vector<SystemContact> contacts);
+
+ private:
+  std::vector<SystemContact> contacts_;
+};
+
+}  // namespace contensou
