@@ -36,4 +36,6 @@ void MechanicalSystem::coordinate_rates(ConstVector /*q*/, ConstVector u, Vector
 
 void MechanicalSystem::restore(VectorRef /*q*/) const {}
 
+void MechanicalSystem::coordinate_scales(VectorRef scales) const { scales.setOnes(); }
+
 }  // namespace contensou

@@ -52,6 +52,12 @@ class MechanicalSystem {
   /// Back onto the manifold of coordinates after a step (unit quaternions, unit axes); nothing to do for most.
   virtual void restore(VectorRef q) const;
 
+  /// A length of the size of the motion [m]: rounding of gaps and the accuracy of coordinates are judged by it.
+  virtual double length_scale() const { return 1; }
+  /// What errors of the coordinates are measured by, n: length_scale() for lengths, 1 for angles and axes. All
+  /// 1 where not overridden.
+  virtual void coordinate_scales(VectorRef scales) const;
+
   /// M(q), f × f.
   virtual void mass_matrix(ConstVector q, Eigen::Ref<Eigen::MatrixXd> mass) const = 0;
   /// h(t, q, u), f.
