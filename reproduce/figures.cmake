@@ -4,7 +4,7 @@ if(NOT GNUPLOT)
   set(GNUPLOT gnuplot)
 endif()
 
-add_library(reproduce_common STATIC common/curves.cpp)
+add_library(reproduce_common STATIC common/curves.cpp common/outline.cpp)
 target_link_libraries(reproduce_common PUBLIC contensou report_program PRIVATE contensou_options)
 
 set(figure_files "")
@@ -39,4 +39,6 @@ contensou_figure(fig03 DATA fig03a fig03b fig03b_printed fig03c DRAWINGS fig03a 
 contensou_figure(fig04 DATA fig04 fig04_printed DRAWINGS fig04)
 contensou_figure(fig05 DATA fig05a fig05b DRAWINGS fig05a fig05b)
 contensou_figure(fig06 DATA fig06a fig06a_set fig06b fig06b_set DRAWINGS fig06a fig06b)
-add_custom_target(figures DEPENDS fig01 fig02 fig03 fig04 fig05 fig06)
+contensou_figure(fig07 DATA fig07a fig07a_curves fig07a_lines fig07b fig07b_curves fig07b_lines DRAWINGS fig07a fig07b)
+contensou_figure(fig08 DATA fig08 fig08_curves fig08_lines DRAWINGS fig08)
+add_custom_target(figures DEPENDS fig01 fig02 fig03 fig04 fig05 fig06 fig07 fig08)

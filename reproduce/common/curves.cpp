@@ -53,8 +53,10 @@ std::vector<PlatePoint> border(const contensou::PlateSeries& plate, int n) {
 
 contensou::Table curve_table(const std::string& figure, const std::string& what, const std::string& units,
                              const std::string& law, std::vector<std::string> columns) {
-  return {{"Figure " + figure.substr(0, 1) + ": " + what, "units: " + units, "law: " + law,
-           "command: cmake --build build --target fig0" + figure.substr(0, 1)},
+  const std::string number = figure.substr(0, figure.find_first_not_of("0123456789"));
+  const std::string target = number.size() < 2 ? "fig0" + number : "fig" + number;
+  return {{"Figure " + number + ": " + what, "units: " + units, "law: " + law,
+           "command: cmake --build build --target " + target},
           std::move(columns),
           {}};
 }

@@ -8,33 +8,30 @@
 #include <numbers>
 
 #include "../common/curves.hpp"
+#include "../common/outline.hpp"
 
 namespace {
 
 using contensou::Table;
+using Eigen::Vector2d;
+using reproduce::add_arc;
+using reproduce::add_vertex;
 using std::numbers::pi;
 
-constexpr double pole = 0.62;                               // R*/R = v/(ωR)
-constexpr double rho = 0.78;                                // ρ/R of dA
-constexpr double phi = 19 * pi / 180;                       // φ of dA
+constexpr double pole = 0.62;          // R*/R = v/(ωR)
+constexpr double rho = 0.78;           // ρ/R of dA
+constexpr double phi = 19 * pi / 180;  // φ of dA
+const Vector2d origin{0, 0};
 constexpr double spin_radius = 0.15, spin_end = 0.40 * pi;  // the arrow of ω
-
-void arc(Table& curves, const char* name, double x, double y, double radius, double from, double to,
-         int pieces = 96) {
-  for (int k = 0; k <= pieces; ++k) {
-    const double angle = from + (to - from) * k / pieces;
-    curves.add({name, x + radius * std::cos(angle), y + radius * std::sin(angle)});
-  }
-}
 
 // dA: a cell of the (ρ, φ) grid around the point.
 void surface_element(Table& curves) {
   constexpr double half_width = 0.04;
   constexpr double half_angle = half_width / rho;
-  arc(curves, "element", 0, 0, rho + half_width, phi - half_angle, phi + half_angle, 8);
-  arc(curves, "element", 0, 0, rho - half_width, phi + half_angle, phi - half_angle, 8);
+  add_arc(curves, "element", origin, rho + half_width, phi - half_angle, phi + half_angle, 8);
+  add_arc(curves, "element", origin, rho - half_width, phi + half_angle, phi - half_angle, 8);
   const double a = phi - half_angle;
-  curves.add({"element", (rho + half_width) * std::cos(a), (rho + half_width) * std::sin(a)});
+  add_vertex(curves, "element", (rho + half_width) * Vector2d(std::cos(a), std::sin(a)));
 }
 
 void write(const std::filesystem::path& folder) {
@@ -42,18 +39,17 @@ void write(const std::filesystem::path& folder) {
   // LG03 (3.1): r sin θ = ρ cos φ, r cos θ = R* − ρ sin φ; θ counts from −e2 at the pole.
   const double r = std::hypot(x, pole - y), theta = std::atan2(x, pole - y);
 
-  Table curves = reproduce::curve_table("1", "geometry of the contact surface: outlines and arcs",
-                                        "lengths in R", "none; LG03 (3.1)", {"curve", "x", "y"});
-  arc(curves, "disc", 0, 0, 1, 0, 2 * pi);
-  arc(curves, "phi", 0, 0, 0.30, 0, phi);
-  arc(curves, "theta", 0, pole, 0.2, -pi / 2, -pi / 2 + theta);
-  arc(curves, "omega", 0, 0, spin_radius, spin_end - 1.3 * pi, spin_end);
+  Table curves =
+      reproduce::outline_table("1", "geometry of the contact surface", "lengths in R", "LG03 (3.1)");
+  add_arc(curves, "disc", origin, 1, 0, 2 * pi);
+  add_arc(curves, "phi", origin, 0.30, 0, phi);
+  add_arc(curves, "theta", {0, pole}, 0.2, -pi / 2, -pi / 2 + theta);
+  add_arc(curves, "omega", origin, spin_radius, spin_end - 1.3 * pi, spin_end);
   surface_element(curves);
   contensou::write_table(curves, folder / "fig01_curves.tsv");
 
-  Table lines = reproduce::curve_table("1", "geometry of the contact surface: straight lines and arrows",
-                                       "lengths in R; velocities in |ω|R", "none; LG03 (2.3), (3.1), (3.5)",
-                                       {"line", "x", "y", "dx", "dy"});
+  Table lines = reproduce::line_table("1", "geometry of the contact surface",
+                                      "lengths in R; velocities in |ω|R", "LG03 (2.3), (3.1), (3.5)");
   lines.add({"e1", 0.0, 0.0, 1.28, 0.0});
   lines.add({"e2", 0.0, 0.0, 0.0, 1.28});
   lines.add({"rho", 0.0, 0.0, x, y});

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "contensou/output/table.hpp"
+#include "geometry.hpp"
 
 namespace {
 
@@ -114,36 +115,6 @@ bool same_table(const std::string& name, const fs::path& fresh_folder, const fs:
   return good;
 }
 
-bool close(const char* what, double a, double b) {
-  // A handful of operations and library functions on numbers below 1.
-  const bool good = std::abs(a - b) <= 8 * std::numeric_limits<double>::epsilon();
-  if (!good) std::printf("fig01: %s: %.17g and %.17g\n", what, a, b);
-  return good;
-}
-
-// Figure 1 has no law in it; its geometry must be LG03 (3.1), (3.5).
-bool geometry(const fs::path& folder) {
-  const Table point = contensou::read_table(folder / "fig01.tsv");
-  const auto value = [&point](const char* column) { return point.numbers(column).at(0); };
-  const double rho = value("rho"), phi = value("phi"), r = value("r"), theta = value("theta"),
-               pole = value("pole");
-  bool good = close("(3.1), first", rho * std::cos(phi), r * std::sin(theta));
-  good = close("(3.1), second", rho * std::sin(phi) + r * std::cos(theta), pole) && good;
-
-  const Table lines = contensou::read_table(folder / "fig01_lines.tsv");
-  const auto names = lines.texts("line");
-  const auto dx = lines.numbers("dx"), dy = lines.numbers("dy");
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (names[i] != "w") continue;
-    // w/(|ω|R) = (v − ωρ sin φ) e1 + ωρ cos φ e2
-    good = close("w1", dx[i], pole - rho * std::sin(phi)) && good;
-    good = close("w2", dy[i], rho * std::cos(phi)) && good;
-    return close("(3.5)", std::hypot(dx[i], dy[i]), r) && good;
-  }
-  std::printf("fig01_lines.tsv: no line w\n");
-  return false;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -153,7 +124,7 @@ int main(int argc, char** argv) {
   }
   try {
     const std::string figure = argv[1];
-    if (figure == "fig01") return geometry(argv[2]) ? 0 : 1;
+    if (is_drawing(figure)) return geometry_holds(figure, argv[2]) ? 0 : 1;
     int tables = 0;
     bool good = true;
     for (const auto& entry : bounds) {
