@@ -41,7 +41,8 @@ void TippeTopAxis::mass_matrix(ConstVector q, Eigen::Ref<Eigen::MatrixXd> mass) 
   const Vector3d e = q.tail<3>();
   mass.setZero();
   mass.diagonal() << data().m, data().m, data().m, data().i1, data().i1, data().i1;
-  mass.bottomRightCorner<3, 3>() += (data().i3 - data().i1) * e * e.transpose();
+  const Eigen::Matrix3d dyad = e * e.transpose();  // symmetric to the last bit
+  mass.bottomRightCorner<3, 3>() += (data().i3 - data().i1) * dyad;
 }
 
 void TippeTopAxis::force(double /*t*/, ConstVector q, ConstVector u, VectorRef h) const {

@@ -51,6 +51,15 @@ TippeTopModel::TippeTopModel(const TippeTopData& data, const std::array<SystemCo
   require_valid(data_);
 }
 
+double TippeTopModel::length_scale() const {
+  return std::max(std::abs(data_.a1) + data_.r1, std::abs(data_.a2) + data_.r2);
+}
+
+void TippeTopModel::coordinate_scales(VectorRef scales) const {
+  scales.setOnes();
+  scales.head<3>().setConstant(length_scale());
+}
+
 double TippeTopModel::starting_height(double theta, double psi_dot, std::optional<double> z_s) const {
   require(theta >= 0 && theta <= std::numbers::pi, "theta", theta, "a number from 0 to pi");
   require(true, "psi_dot", psi_dot, "a finite number");

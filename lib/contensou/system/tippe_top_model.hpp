@@ -30,6 +30,11 @@ class TippeTopModel : public MechanicalSystem {
  public:
   const TippeTopData& data() const { return data_; }
 
+  /// From S to the far side of the larger sphere.
+  double length_scale() const override;
+  /// q begins with the position of S; what follows are angles or an axis.
+  void coordinate_scales(VectorRef scales) const override;
+
   /// The state of LG03 5.4 at t = 0: inclined by theta about e_1 (φ = ψ = 0), θ̇ = φ̇ = 0, spinning with ψ̇
   /// about its own axis, v_S = 0; z_S as given, else so that the lower contact just touches: gap() of it is
   /// exactly zero, the other's is not negative. Throws std::invalid_argument for theta not in [0, π] and for
