@@ -1,0 +1,21 @@
+// Schemes that are not written yet; each goes from here as it comes.
+#include <stdexcept>
+
+#include "contensou/integrate/schemes.hpp"
+
+namespace contensou {
+
+#define PENDING(run)                                                                                    \
+  RunReport run(const MechanicalSystem&, State&, double, const IntegratorOptions&, const Observer&) {   \
+    throw std::logic_error(#run ": not written yet");                                                   \
+  }
+PENDING(run_moreau_printed)
+PENDING(run_rk4_printed)
+PENDING(run_moreau)
+PENDING(run_moreau_implicit)
+PENDING(run_moreau_adaptive)
+PENDING(run_rk4)
+PENDING(run_event_driven)
+#undef PENDING
+
+}  // namespace contensou
