@@ -15,6 +15,10 @@ class OdeSystem {
   /// f(t, y) into dy (size()). Counted by whoever implements it. May write numbers that are not finite: the
   /// step is then rejected.
   virtual void derivative(double t, const Eigen::VectorXd& y, Eigen::VectorXd& dy) = 0;
+  /// ∂f/∂y at (t, y), rows size(), columns coupled(), for implicit methods; `rate` is f(t, y). By forward
+  /// differences where not overridden. `jacobian` has the right size.
+  virtual void jacobian(double t, const Eigen::VectorXd& y, const Eigen::VectorXd& rate,
+                        Eigen::MatrixXd& jacobian);
 };
 
 /// One step of a one-step method and what can be asked of it afterwards. Allocates at the first attempt for a
@@ -28,7 +32,7 @@ class OdeStep {
   /// be computed (not finite, an iteration that does not converge). Methods without an estimate return 0.
   virtual double attempt(OdeSystem& system, double t, const Eigen::VectorXd& y, const Eigen::VectorXd& rate,
                          double h, const Eigen::VectorXd& scale) = 0;
-  /// y and f at t + h of the last attempt that did not return infinity.
+  /// y and f at t + h of the last attempt that did not return infinity; f was evaluated last of all there.
   virtual const Eigen::VectorXd& end() const = 0;
   virtual const Eigen::VectorXd& end_rate() const = 0;
   /// y at t + θh, 0 <= θ <= 1, continuous, of an order stated with the method. May evaluate f when asked for

@@ -14,8 +14,6 @@ PENDING(run_rk4_printed)
 PENDING(run_moreau)
 PENDING(run_moreau_implicit)
 PENDING(run_moreau_adaptive)
-PENDING(run_rk4)
-PENDING(run_event_driven)
 #undef PENDING
 
 }  // namespace contensou

@@ -1,0 +1,256 @@
+#include "contensou/integrate/contact_instant.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contensou/integrate/motion_scales.hpp"
+#include "contensou/text/number.hpp"
+
+namespace contensou {
+namespace {
+
+/// A force this near to the border of its domain, relative to its size, is on it: contact problems are
+/// solved to 1e-12 of their largest term.
+constexpr double on_border = 1e-10;
+/// Constraints that depend on each other to this part, with rows scaled to one.
+constexpr double dependent = 1e-11;
+
+}  // namespace
+
+ContactInstant::ContactInstant(const MechanicalSystem& system, double solver_tolerance)
+    : system_(system), solver_(SolverOptions{.tolerance = solver_tolerance}) {
+  const std::size_t count = system.contacts().size();
+  for (const SystemContact& contact : system.contacts())
+    friction_.emplace_back(effective_friction(contact));
+  rows_.assign(count, ContactRows(system.velocities()));
+  at_rest_.assign(count, false);
+  struck_.assign(count, false);
+}
+
+void ContactInstant::gather(const State& state, const std::vector<ContactMode>& modes) {
+  closed_.clear();
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    if (modes[i] == ContactMode::open) continue;
+    closed_.push_back(i);
+    system_.contact_rows(i, state.t, state.q, state.u, rows_[i]);
+  }
+}
+
+/// Groups of one contact each, in the order of closed_, and W = W_allᵀM⁻¹W_all.
+void ContactInstant::set_up(ContactProblem& problem) const {
+  problem.groups.clear();
+  std::vector<std::pair<std::size_t, int>> index;
+  for (const std::size_t i : closed_) {
+    const SystemContact& contact = system_.contacts()[i];
+    problem.groups.push_back({&effective_friction(contact), {contact.mu}});
+    for (int k = 0; k <= friction_[i].dimension(); ++k) index.emplace_back(i, k);
+  }
+  const auto m = static_cast<Eigen::Index>(index.size());
+  problem.delassus.resize(m, m);
+  problem.free_velocity.setZero(m);
+  for (Eigen::Index r = 0; r < m; ++r) {
+    const auto [i, k] = index[static_cast<std::size_t>(r)];
+    for (Eigen::Index s = 0; s <= r; ++s) {
+      const auto [j, l] = index[static_cast<std::size_t>(s)];
+      problem.delassus(r, s) = problem.delassus(s, r) =
+          rows_[i].directions.col(k).dot(rows_[j].response.col(l));
+    }
+  }
+}
+
+bool ContactInstant::solved(const SolverReport& solver, const State& state, const char* what,
+                            RunReport& report) const {
+  ++report.contact_problems;
+  report.contact_iterations += solver.iterations;
+  report.worst_residual = std::max(report.worst_residual, solver.residual);
+  if (solver.status == SolverStatus::solved || solver.status == SolverStatus::at_rounding) return true;
+  report.status = RunStatus::solver_failed;
+  report.message = std::string(what) + " at t = " + to_text(state.t) + " s: no solution found, residual " +
+                   to_text(solver.residual);
+  return false;
+}
+
+bool ContactInstant::impact(State& state, const InstantTolerances& tolerances, RunReport& report) {
+  const bool any = std::any_of(closed_.begin(), closed_.end(), [&](std::size_t i) {
+    return rows_[i].velocity[0] < -tolerances.approach;
+  });
+  if (!any) return true;
+  ContactProblem problem;
+  set_up(problem);
+  Eigen::Index row = 0;
+  for (const std::size_t i : closed_) {
+    const int count = 1 + friction_[i].dimension();
+    problem.free_velocity.segment(row, count) = rows_[i].velocity.head(count);
+    problem.free_velocity[row] *= 1 + system_.contacts()[i].restitution;
+    row += count;
+  }
+  Eigen::VectorXd impulse;
+  if (!solved(solver_.solve(problem, impulse), state, "impact", report)) return false;
+  const Eigen::VectorXd change = problem.delassus * impulse;
+  row = 0;
+  for (const std::size_t i : closed_) {
+    const int count = 1 + friction_[i].dimension();
+    const auto part = impulse.segment(row, count);
+    const auto before = rows_[i].velocity.head(count);
+    report.dissipated[i].impact -= part.dot(before + change.segment(row, count) / 2);
+    struck_[i] = before[0] < -tolerances.approach;
+    state.u += rows_[i].response.leftCols(count) * part;
+    row += count;
+  }
+  return true;
+}
+
+void ContactInstant::drop_departed(const State& state, std::vector<ContactMode>& modes,
+                                   const InstantTolerances& tolerances) {
+  for (const std::size_t i : closed_) {
+    if (rows_[i].velocity[0] > tolerances.approach) modes[i] = ContactMode::open;
+  }
+  gather(state, modes);
+}
+
+/// Changes u by the least kinetic norm so that the targets hold: u += M⁻¹W Λ, WᵀM⁻¹W Λ = target − γ.
+void ContactInstant::apply(State& state, const std::vector<Target>& targets, RunReport& report) {
+  const auto m = static_cast<Eigen::Index>(targets.size());
+  if (m == 0) return;
+  Eigen::MatrixXd matrix(m, m);
+  Eigen::VectorXd side(m), scale(m);
+  for (Eigen::Index r = 0; r < m; ++r) {
+    const Target& a = targets[static_cast<std::size_t>(r)];
+    for (Eigen::Index s = 0; s < m; ++s) {
+      const Target& b = targets[static_cast<std::size_t>(s)];
+      matrix(r, s) = rows_[a.contact].directions.col(a.row).dot(rows_[b.contact].response.col(b.row));
+    }
+    side[r] = a.velocity - rows_[a.contact].velocity[a.row];
+    scale[r] = 1 / std::sqrt(matrix(r, r));
+  }
+  if (side.isZero(0)) return;
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition(m, m);
+  decomposition.setThreshold(dependent);
+  decomposition.compute(scale.asDiagonal() * matrix * scale.asDiagonal());
+  Eigen::VectorXd impulse = decomposition.solve((scale.array() * side.array()).matrix());
+  impulse.array() *= scale.array();
+  for (Eigen::Index r = 0; r < m; ++r) {
+    const Target& a = targets[static_cast<std::size_t>(r)];
+    report.dissipated[a.contact].impact -= impulse[r] * (rows_[a.contact].velocity[a.row] + side[r] / 2);
+    state.u += impulse[r] * rows_[a.contact].response.col(a.row);
+  }
+}
+
+void ContactInstant::stop_slow_slip(State& state, const InstantTolerances& tolerances, RunReport& report) {
+  std::vector<Target> targets;
+  for (const std::size_t i : closed_) {
+    targets.push_back({i, 0, 0.0});
+    const double factor = spin_factor(system_.contacts()[i], tolerances.length);
+    at_rest_[i] = friction_[i].dimension() > 0 && slip_speed(rows_[i].velocity, factor) <= tolerances.slip;
+    if (!at_rest_[i]) continue;
+    for (int k = 1; k <= friction_[i].dimension(); ++k) targets.push_back({i, k, 0.0});
+  }
+  apply(state, targets, report);
+}
+
+bool ContactInstant::decide(State& state, std::vector<ContactMode>& modes,
+                            const InstantTolerances& tolerances, RunReport& report) {
+  gather(state, modes);
+  if (closed_.empty()) return true;
+  ContactProblem full;
+  set_up(full);
+  Eigen::VectorXd free(system_.velocities());
+  system_.free_acceleration(state.t, state.q, state.u, free);
+  Eigen::VectorXd velocity = Eigen::VectorXd::Zero(full.rows());
+  Eigen::Index row = 0;
+  for (const std::size_t i : closed_) {
+    const int count = 1 + friction_[i].dimension();
+    full.free_velocity.segment(row, count) =
+        rows_[i].directions.leftCols(count).transpose() * free + rows_[i].drift.head(count);
+    if (!at_rest_[i]) velocity.segment(row, count) = rows_[i].velocity.head(count);
+    row += count;
+  }
+  const AccelerationLevel level(full, velocity);
+  Eigen::VectorXd reduced;
+  if (!solved(solver_.solve(level.problem(), reduced), state, "forces of closed contacts", report)) {
+    if (level.paradox()) report.message += " (Painleve's paradox)";
+    return false;
+  }
+  const Eigen::VectorXd forces = level.forces(reduced);
+
+  std::vector<Target> targets;
+  row = 0;
+  for (const std::size_t i : closed_) {
+    const int dimension = friction_[i].dimension();
+    const double normal = forces[row];
+    Eigen::Vector3d friction = Eigen::Vector3d::Zero();
+    friction.head(dimension) = forces.segment(row + 1, dimension);
+    row += 1 + dimension;
+    modes[i] = ContactMode::slip;
+    if (!(normal > 0)) {
+      modes[i] = ContactMode::open;
+      continue;
+    }
+    targets.push_back({i, 0, 0.0});
+    if (!at_rest_[i]) continue;
+    const double size = system_.contacts()[i].mu * normal;
+    const bool holds = friction_[i].gauge(friction) < size * (1 - on_border);
+    if (holds) modes[i] = ContactMode::stick;
+    Eigen::Vector3d start = Eigen::Vector3d::Zero();
+    if (!holds) {
+      start = -friction_[i].normal(friction);
+      const double factor = spin_factor(system_.contacts()[i], tolerances.length);
+      start *= 2 * tolerances.slip / slip_speed({0, start[0], start[1], start[2]}, factor);
+    }
+    for (int k = 0; k < dimension; ++k) targets.push_back({i, k + 1, start[k]});
+  }
+  apply(state, targets, report);
+  return true;
+}
+
+bool ContactInstant::settle(State& state, std::vector<ContactMode>& modes,
+                            const InstantTolerances& tolerances, RunReport& report) {
+  std::fill(struck_.begin(), struck_.end(), false);
+  gather(state, modes);
+  if (!impact(state, tolerances, report)) return false;
+  gather(state, modes);
+  drop_departed(state, modes, tolerances);
+  stop_slow_slip(state, tolerances, report);
+  return decide(state, modes, tolerances, report);
+}
+
+void ContactInstant::correct_velocities(State& state, const std::vector<ContactMode>& modes,
+                                        RunReport& report) {
+  gather(state, modes);
+  std::vector<Target> targets;
+  for (const std::size_t i : closed_) {
+    targets.push_back({i, 0, 0.0});
+    if (modes[i] != ContactMode::stick) continue;
+    for (int k = 1; k <= friction_[i].dimension(); ++k) targets.push_back({i, k, 0.0});
+  }
+  apply(state, targets, report);
+}
+
+void ContactInstant::correct_positions(State& state, const std::vector<ContactMode>& modes) {
+  // Twice: gaps are not linear in q.
+  for (int pass = 0; pass < 2; ++pass) {
+    gather(state, modes);
+    const auto m = static_cast<Eigen::Index>(closed_.size());
+    if (m == 0) return;
+    Eigen::MatrixXd matrix(m, m);
+    Eigen::VectorXd gaps(m);
+    for (Eigen::Index r = 0; r < m; ++r) {
+      const std::size_t i = closed_[static_cast<std::size_t>(r)];
+      gaps[r] = system_.gap(i, state.t, state.q);
+      for (Eigen::Index s = 0; s < m; ++s)
+        matrix(r, s) = rows_[i].directions.col(0).dot(
+            rows_[closed_[static_cast<std::size_t>(s)]].response.col(0));
+    }
+    if (gaps.isZero(0)) return;
+    const Eigen::VectorXd amount = matrix.colPivHouseholderQr().solve(-gaps);
+    Eigen::VectorXd move = Eigen::VectorXd::Zero(system_.velocities());
+    for (Eigen::Index r = 0; r < m; ++r)
+      move += amount[r] * rows_[closed_[static_cast<std::size_t>(r)]].response.col(0);
+    Eigen::VectorXd rates(system_.coordinates());
+    system_.coordinate_rates(state.q, move, rates);
+    state.q += rates;
+    system_.restore(state.q);
+  }
+}
+
+}  // namespace contensou
