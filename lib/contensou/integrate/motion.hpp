@@ -79,7 +79,7 @@ const char* name(RunStatus status);
 /// What an integration did. The caller cannot ignore it.
 struct [[nodiscard]] RunReport {
   RunStatus status = RunStatus::finished;
-  std::string message;                ///< empty if finished
+  std::string message;                ///< empty if all went well
   std::int64_t steps = 0;             ///< accepted
   std::int64_t rejected = 0;          ///< steps tried in vain
   std::int64_t evaluations = 0;       ///< of accelerations or of the system's terms, whichever the method counts

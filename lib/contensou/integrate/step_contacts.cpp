@@ -1,0 +1,47 @@
+#include "contensou/integrate/step_contacts.hpp"
+
+namespace contensou {
+
+StepContacts::StepContacts(const MechanicalSystem& system)
+    : system_(system), contact_(system.velocities()), at_rest_(Eigen::VectorXd::Zero(system.velocities())) {
+  chosen_.reserve(system.contacts().size());
+}
+
+void StepContacts::choose(const std::vector<std::size_t>& contacts) {
+  if (contacts == chosen_) return;
+  chosen_ = contacts;
+  first_row_.assign(1, 0);
+  problem_.groups.clear();
+  for (const std::size_t i : chosen_) {
+    const SystemContact& contact = system_.contacts()[i];
+    first_row_.push_back(first_row_.back() + contensou::rows(contact.friction));
+    problem_.groups.push_back({&contact.friction, {contact.mu}});
+  }
+  directions_.resize(system_.velocities(), rows());
+  response_.resize(system_.velocities(), rows());
+  drive_.resize(rows());
+  problem_.delassus.resize(rows(), rows());
+  problem_.free_velocity.resize(rows());
+}
+
+void StepContacts::evaluate(double t, ConstVector q) {
+  for (std::size_t k = 0; k < chosen_.size(); ++k) {
+    system_.contact_rows(chosen_[k], t, q, at_rest_, contact_);
+    directions_.middleCols(row(k), rows(k)) = contact_.directions.leftCols(rows(k));
+    response_.middleCols(row(k), rows(k)) = contact_.response.leftCols(rows(k));
+    drive_.segment(row(k), rows(k)) = contact_.velocity.head(rows(k));
+  }
+  for (Eigen::Index j = 0; j < rows(); ++j) {
+    for (Eigen::Index i = j; i < rows(); ++i) {
+      problem_.delassus(i, j) = directions_.col(i).dot(response_.col(j));
+      problem_.delassus(j, i) = problem_.delassus(i, j);
+    }
+  }
+}
+
+void StepContacts::velocity(ConstVector u, VectorRef gamma) const {
+  gamma = drive_;
+  gamma.noalias() += directions_.transpose() * u;
+}
+
+}  // namespace contensou

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "contensou/contact/contact_problem.hpp"
+#include "contensou/integrate/mechanical_system.hpp"
+
+namespace contensou {
+
+/// The contacts that take part in a time-step, as one contact problem on velocity level: each a group of its
+/// own, in the order of their indices. n rows in all.
+class StepContacts {
+ public:
+  explicit StepContacts(const MechanicalSystem& system);
+
+  /// Chooses contacts, indices ascending. Allocates only where they are others than before.
+  void choose(const std::vector<std::size_t>& contacts);
+  const std::vector<std::size_t>& chosen() const { return chosen_; }
+  bool empty() const { return chosen_.empty(); }
+
+  /// First row and number of rows of chosen()[k].
+  Eigen::Index row(std::size_t k) const { return first_row_[k]; }
+  Eigen::Index rows(std::size_t k) const { return first_row_[k + 1] - first_row_[k]; }
+  Eigen::Index rows() const { return first_row_.back(); }
+
+  /// W, M⁻¹W, w̃ and with them the Delassus matrix at (t, q).
+  void evaluate(double t, ConstVector q);
+  /// γ = Wᵀu + w̃ with what was last evaluated.
+  void velocity(ConstVector u, VectorRef gamma) const;
+
+  const Eigen::MatrixXd& directions() const { return directions_; }  ///< W, f × n
+  const Eigen::MatrixXd& response() const { return response_; }      ///< M⁻¹W, f × n
+  const Eigen::VectorXd& drive() const { return drive_; }            ///< w̃, n
+  /// Its free_velocity is left to the caller.
+  ContactProblem& problem() { return problem_; }
+
+ private:
+  const MechanicalSystem& system_;
+  std::vector<std::size_t> chosen_;
+  std::vector<Eigen::Index> first_row_{0};
+  ContactRows contact_;
+  Eigen::VectorXd at_rest_;  ///< u = 0
+  Eigen::MatrixXd directions_;
+  Eigen::MatrixXd response_;
+  Eigen::VectorXd drive_;
+  ContactProblem problem_;
+};
+
+}  // namespace contensou
