@@ -9,8 +9,6 @@ namespace contensou {
   RunReport run(const MechanicalSystem&, State&, double, const IntegratorOptions&, const Observer&) {   \
     throw std::logic_error(#run ": not written yet");                                                   \
   }
-PENDING(run_moreau)
-PENDING(run_moreau_implicit)
 PENDING(run_moreau_adaptive)
 #undef PENDING
 

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "contensou/contact/contact_solver.hpp"
+#include "contensou/integrate/motion.hpp"
+#include "contensou/integrate/step_contacts.hpp"
+
+namespace contensou {
+
+/// One stage of an implicit time-stepping scheme with contacts on velocity level: at time t, find q, u, Λ
+/// with
+///     q = q_base + w_q F(q)u,      u = u_base + w_u M(q)⁻¹h(t, q, u) + M(q)⁻¹W(q)Λ,
+///     0 <= γ_N − shift ⊥ Λ_N >= 0,      −γ_F ∈ N_B(μΛ_N)(Λ_F),      γ = W(q)ᵀu + w̃(q),
+/// for the contacts chosen; Λ = w_u λ. A stage of backward Euler or of a diagonally implicit Runge–Kutta
+/// method.
+///
+/// By fixed points: M, W and h at the last (q, u), the inclusion solved exactly, again. Contracts where
+/// w ‖∂(F u, M⁻¹h)/∂(q, u)‖ < 1; friction, however stiff, is in the inclusion and no matter. Ends where
+/// another round changes q and u by no more than rounding and the contact solver's tolerance.
+class ImplicitStage {
+ public:
+  struct Base {
+    double t;    ///< of the stage
+    double w_q;  ///< >= 0 [s]
+    double w_u;  ///< > 0 [s]
+    const Eigen::VectorXd& q;
+    const Eigen::VectorXd& u;
+  };
+  enum class Outcome { solved, not_finite, solver_failed, no_convergence };
+
+  /// `report`, which outlives this, is counted in.
+  ImplicitStage(const MechanicalSystem& system, const IntegratorOptions& options, RunReport& report);
+
+  /// Chooses contacts; shifts are zero then.
+  void choose(const std::vector<std::size_t>& contacts);
+  const StepContacts& contacts() const { return contacts_; }
+  /// [m/s] of chosen contact k.
+  void set_shift(std::size_t k, double shift) { shift_[static_cast<Eigen::Index>(k)] = shift; }
+
+  /// `u`: the guess on entry. Forces of the last stage in which a contact was chosen are the guess of Λ.
+  Outcome solve(const Base& base, Eigen::VectorXd& q, Eigen::VectorXd& u);
+  /// One line for an outcome that is not `solved`.
+  static std::string describe(Outcome outcome);
+
+  // Of the last stage solved, rows of contacts() in order:
+  const Eigen::VectorXd& impulse() const { return impulse_; }  ///< Λ
+  const Eigen::VectorXd& gamma() const { return gamma_; }      ///< γ
+  /// What chosen contact k is: open where it has no Λ_N and moves off; sticking where γ_F is zero. `Zero` is
+  /// what the solver leaves uncertain: ten of its tolerances (or of the residual reached) of the problem's
+  /// largest velocity.
+  ContactMode mode(std::size_t k) const;
+
+ private:
+  bool settled(int round, double w_u);
+
+  const MechanicalSystem& system_;
+  RunReport& report_;
+  double tolerance_;
+  ContactSolver solver_;
+  StepContacts contacts_;
+  Eigen::VectorXd scale_;  ///< of coordinates
+  Eigen::VectorXd shift_;
+  std::vector<Eigen::Vector4d> force_;  ///< λ of each contact of the system: guesses
+  Eigen::VectorXd impulse_, gamma_;
+  Eigen::VectorXd free_, rates_, before_, change_;
+  double last_change_ = 0;
+  double uncertain_ = 0;  ///< velocity that counts as zero [m/s]
+};
+
+}  // namespace contensou

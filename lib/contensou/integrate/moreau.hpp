@@ -1,0 +1,47 @@
+#pragma once
+
+#include "contensou/integrate/schemes.hpp"
+
+namespace contensou {
+
+/// `moreau`: Moreau's idea, contact and friction as inclusions on velocity level at the end of what is
+/// stepped over, made second order where the motion is smooth.
+///
+/// While contacts stay what they are (open, slipping, sticking), a step is one of the SDIRK method of two
+/// stages with γ = 1 − 1/√2 (R. Alexander, SIAM J. Numer. Anal. 14, 1977): L-stable, order two, and its last
+/// stage is the step's end (stiffly accurate), so that there γ_N = 0 and the friction law hold exactly, stick
+/// is stick and not an oscillation about it, and what is stiff in friction (near γ_F = 0 like 1/γ_τ) is
+/// damped. Each stage is an inclusion for its own Λ (implicit_stage.hpp) with M, W and h where it is.
+///
+/// Where a mode changes in a stage, the step is made again as one of backward Euler, with the law at its end:
+/// a Runge–Kutta method carries (1 − γ)/γ = 2.4 times what a contact does in the first stage into the second,
+/// which throws a contact that just stopped slipping back the other way. Such steps have an error of O(Δt²)
+/// in u where forces jump or kink (stick, opening), and are too few to be felt.
+///
+/// Where an open contact would end the step in the floor, it lands in it: backward Euler with the contact
+/// taken in, Newton's impact law, and q̇ = F u with the old u until the gap, taken as linear, is closed and
+/// with the new one after. So a body that lands inelastically comes to lie on the floor to O(Δt²), not to
+/// O(Δt) beside it. Several landings in one step share the time of the first. A bounce slower than what the
+/// smooth forces of one step end, ε_N|γ_N⁻| <= |Δγ_N|, is none: inelastic. So bouncing comes to an end.
+///
+/// After each step, gaps of closed contacts are set to zero by changes of q along M⁻¹w_N: in smooth steps by
+/// O(Δt³), the drift of a constraint that is kept on velocity level.
+///
+/// Order: 2 in free flight, slip, stick and rolling; through an impact 2 where it is inelastic without
+/// friction, else 1.
+///
+/// Dissipation is summed with the stages' laws and the method's weights, in steps of backward Euler as
+/// −Λ·½(γ⁻ + γ⁺), exact for the change of kinetic energy, and where a contact lands all as impact. A step's
+/// events carry the time of its end. Shown inside a step is u as linear, q as cubic.
+///
+/// The equations of a stage converge for Δt of up to about 3/‖∂(u̇, q̇)/∂(u, q)‖ (of a top: 3/ω); a longer one
+/// ends the run, RunStatus::solver_failed, as does a contact problem that is not solved.
+Scheme run_moreau;
+
+/// `moreau_implicit`: the fully implicit version of Moreau's method of which LG03 Section 6 speaks: backward
+/// Euler for q and u, h and W at the step's end, too. All else as `moreau`. First order. L-stable: what
+/// oscillates is damped, with ω Δt²/2 … of its frequency ω: nutation dies in numbers, not by friction.
+/// Converges for Δt up to about 1/‖∂(u̇, q̇)/∂(u, q)‖.
+Scheme run_moreau_implicit;
+
+}  // namespace contensou

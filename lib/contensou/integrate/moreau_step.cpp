@@ -1,0 +1,236 @@
+#include "contensou/integrate/moreau_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "contensou/integrate/motion_recorder.hpp"
+
+namespace contensou {
+namespace {
+
+/// γ of the L-stable SDIRK method of order two.
+constexpr double diagonal = 1 - std::numbers::sqrt2 / 2;
+/// (1 − γ)/γ: how much of what the first stage changed goes into the second one's base.
+constexpr double carried = (1 - diagonal) / diagonal;
+
+// Gaps of closed contacts are brought below this part of length_scale (rounding of coordinates), by sweeps
+// over the contacts that each take the last one's square, or a fixed part where contacts pull at each other.
+constexpr double closed_gap = 0x1p-50;
+constexpr int most_sweeps = 6;
+
+}  // namespace
+
+MoreauStep::MoreauStep(const MechanicalSystem& system, const IntegratorOptions& options, Kind kind,
+                       RunReport& report)
+    : system_(system),
+      kind_(kind),
+      stage_(system, options, report),
+      dissipated_(system.contacts().size()),
+      contact_(system.velocities()),
+      acceleration_(Eigen::VectorXd::Zero(system.velocities())),
+      rates_(system.coordinates()),
+      rates_start_(system.coordinates()),
+      rates_end_(system.coordinates()) {
+  end_.modes.assign(system.contacts().size(), ContactMode::open);
+  closed_.reserve(system.contacts().size());
+  landings_.reserve(system.contacts().size());
+}
+
+MoreauStep::Outcome MoreauStep::attempt(double t, const ContactState& start, double dt) {
+  dt_ = dt;
+  q_start_ = start.q;
+  u_start_ = start.u;
+  system_.coordinate_rates(start.q, start.u, rates_start_);
+  jumped_ = false;
+  closed_.clear();
+  for (std::size_t i = 0; i < start.modes.size(); ++i) {
+    if (start.modes[i] != ContactMode::open) closed_.push_back(i);
+  }
+  stage_.choose(closed_);
+
+  forget_dissipation();
+  Outcome outcome = kind_ == Kind::second_order ? second_order(t, start, dt) : euler(t, start, dt, dt);
+  if (outcome != Outcome::solved) return outcome;
+  find_landings(t, start, dt);
+  if (!landings_.empty()) {
+    outcome = land(t, start, dt);
+  } else if (!smooth_ && kind_ == Kind::second_order) {
+    outcome = euler(t, start, dt, dt);
+    if (outcome == Outcome::solved) find_landings(t, start, dt);
+    if (outcome == Outcome::solved && !landings_.empty()) outcome = land(t, start, dt);
+  }
+  if (outcome != Outcome::solved) return outcome;
+  close_gaps(t + dt);
+  system_.restore(end_.q);
+  system_.coordinate_rates(end_.q, end_.u, rates_end_);
+  return Outcome::solved;
+}
+
+/// u₁ = u + γΔt a₁; u_E = u + (1 − γ)Δt a₁ + γΔt a₂, and so for q.
+MoreauStep::Outcome MoreauStep::second_order(double t, const ContactState& start, double dt) {
+  const double w = diagonal * dt;
+  u1_ = start.u + w * acceleration_;
+  Outcome outcome = stage_.solve({t + w, w, w, start.q, start.u}, q1_, u1_);
+  if (outcome != Outcome::solved) return outcome;
+  read_modes();
+  smooth_ = end_.modes == start.modes;
+  add_power(carried);
+
+  q_base_ = start.q + carried * (q1_ - start.q);
+  u_base_ = start.u + carried * (u1_ - start.u);
+  end_.u = u_base_ + (u1_ - start.u);
+  outcome = stage_.solve({t + dt, w, w, q_base_, u_base_}, end_.q, end_.u);
+  if (outcome != Outcome::solved) return outcome;
+  read_modes();
+  smooth_ = smooth_ && end_.modes == start.modes;
+  add_power(1);
+  acceleration_ = (end_.u - u_base_) / w;
+  return outcome;
+}
+
+/// q_E = base + w_q F(q_E)u_E with the base at t + dt − w_q.
+MoreauStep::Outcome MoreauStep::euler(double t, const ContactState& start, double dt, double w_q) {
+  forget_dissipation();
+  q_base_ = start.q + (dt - w_q) * rates_start_;
+  end_.u = start.u + dt * acceleration_;
+  const Outcome outcome = stage_.solve({t + dt, w_q, dt, q_base_, start.u}, end_.q, end_.u);
+  if (outcome != Outcome::solved) return outcome;
+  read_modes();
+  add_impulses(start, jumped_);
+  if (!jumped_) acceleration_ = (end_.u - start.u) / dt;
+  smooth_ = end_.modes == start.modes;
+  return outcome;
+}
+
+/// Contacts that are open and in the floor at the end of the step as it stands.
+void MoreauStep::find_landings(double t, const ContactState& start, double dt) {
+  landings_.clear();
+  for (std::size_t i = 0; i < start.modes.size(); ++i) {
+    if (start.modes[i] != ContactMode::open) continue;
+    const double after = system_.gap(i, t + dt, end_.q);
+    if (!(after < 0)) continue;
+    const double before = system_.gap(i, t, start.q);
+    const double when = before > 0 ? before / (before - after) : 0;
+    const double first = normal_velocity(i, t, start.q, start.u);
+    const double change = normal_velocity(i, t + dt, end_.q, end_.u) - first;
+    landings_.push_back({i, when, first + when * change, change});
+  }
+}
+
+/// The step with the contacts that land in it: backward Euler for u, q with u of the start until the first of
+/// them lands and that of the end after it.
+MoreauStep::Outcome MoreauStep::land(double t, const ContactState& start, double dt) {
+  double first = 1;
+  for (const Landing& landing : landings_) {
+    closed_.push_back(landing.contact);
+    first = std::min(first, landing.when);
+  }
+  std::sort(closed_.begin(), closed_.end());
+  stage_.choose(closed_);
+  for (const Landing& landing : landings_) {
+    // Newton's law: γ_N⁺ = −ε γ_N⁻ at the landing; the step's end sees the change of γ_N since. A bounce that
+    // the smooth forces of one step end is none.
+    const double bounce = -system_.contacts()[landing.contact].restitution * landing.approach;
+    if (!(bounce > std::abs(landing.change))) continue;
+    const auto k = std::find(closed_.begin(), closed_.end(), landing.contact) - closed_.begin();
+    stage_.set_shift(static_cast<std::size_t>(k), bounce + (1 - landing.when) * landing.change);
+  }
+  jumped_ = true;
+  return euler(t, start, dt, (1 - first) * dt);
+}
+
+void MoreauStep::read_modes() {
+  std::fill(end_.modes.begin(), end_.modes.end(), ContactMode::open);
+  for (std::size_t k = 0; k < closed_.size(); ++k) end_.modes[closed_[k]] = stage_.mode(k);
+}
+
+double MoreauStep::normal_velocity(std::size_t contact, double t, const Eigen::VectorXd& q,
+                                   const Eigen::VectorXd& u) {
+  system_.contact_rows(contact, t, q, u, contact_);
+  return contact_.velocity[0];
+}
+
+void MoreauStep::forget_dissipation() { std::fill(dissipated_.begin(), dissipated_.end(), Dissipation{}); }
+
+/// −weight Λ·γ of the stage.
+void MoreauStep::add_power(double weight) {
+  for (std::size_t k = 0; k < closed_.size(); ++k) {
+    const Eigen::Index first = stage_.contacts().row(k);
+    const Eigen::Index n = stage_.contacts().rows(k);
+    const auto power = [&](Eigen::Index row) {
+      return -weight * stage_.impulse()[first + row] * stage_.gamma()[first + row];
+    };
+    if (n > 1) dissipated_[closed_[k]].sliding += power(1) + power(2);
+    if (n > 3) dissipated_[closed_[k]].drilling += power(3);
+  }
+}
+
+/// −Λ·½(γ⁻ + γ⁺).
+void MoreauStep::add_impulses(const ContactState& start, bool impact) {
+  gamma_start_.resize(stage_.contacts().rows());
+  stage_.contacts().velocity(start.u, gamma_start_);
+  for (std::size_t k = 0; k < closed_.size(); ++k) {
+    const Eigen::Index first = stage_.contacts().row(k);
+    const Eigen::Index n = stage_.contacts().rows(k);
+    const auto work = [&](Eigen::Index row) {
+      return -stage_.impulse()[first + row] * (gamma_start_[first + row] + stage_.gamma()[first + row]) / 2;
+    };
+    Dissipation& d = dissipated_[closed_[k]];
+    if (impact) {
+      for (Eigen::Index row = 0; row < n; ++row) d.impact += work(row);
+    } else {
+      if (n > 1) d.sliding += work(1) + work(2);
+      if (n > 3) d.drilling += work(3);
+    }
+  }
+}
+
+/// q of the end onto g_N = 0 of all closed contacts, by changes along M⁻¹w_N.
+void MoreauStep::close_gaps(double t) {
+  const double good = closed_gap * system_.length_scale();
+  for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+    bool done = true;
+    for (std::size_t i = 0; i < end_.modes.size(); ++i) {
+      if (end_.modes[i] == ContactMode::open) continue;
+      const double gap = system_.gap(i, t, end_.q);
+      if (std::abs(gap) <= good) continue;
+      done = false;
+      system_.contact_rows(i, t, end_.q, end_.u, contact_);
+      const double mobility = contact_.directions.col(0).dot(contact_.response.col(0));
+      if (!(mobility > 0)) continue;
+      system_.coordinate_rates(end_.q, contact_.response.col(0), rates_);
+      end_.q -= gap / mobility * rates_;
+    }
+    if (done) return;
+  }
+}
+
+void MoreauStep::interpolate(double theta, Eigen::VectorXd& q, Eigen::VectorXd& u) const {
+  u = u_start_ + theta * (end_.u - u_start_);
+  const Eigen::VectorXd& a = q_start_;
+  const Eigen::VectorXd& b = end_.q;
+  if (jumped_) {
+    q = a + theta * (b - a);
+    return;
+  }
+  const double back = 1 - theta;
+  q = (1 + 2 * theta) * back * back * a + (1 + 2 * back) * theta * theta * b +
+      dt_ * theta * back * (back * rates_start_ - theta * rates_end_);
+}
+
+void add(const std::vector<Dissipation>& step, std::vector<Dissipation>& run) {
+  for (std::size_t i = 0; i < step.size(); ++i) {
+    run[i].sliding += step[i].sliding;
+    run[i].drilling += step[i].drilling;
+    run[i].impact += step[i].impact;
+  }
+}
+
+RunReport& end_run(RunReport& report, MoreauStep::Outcome outcome, double t) {
+  const bool lost = outcome == MoreauStep::Outcome::not_finite;
+  return end_run(report, lost ? RunStatus::not_finite : RunStatus::solver_failed, t,
+                 ImplicitStage::describe(outcome));
+}
+
+}  // namespace contensou

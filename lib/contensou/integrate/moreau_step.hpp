@@ -1,0 +1,81 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "contensou/integrate/implicit_stage.hpp"
+
+namespace contensou {
+
+/// A state with what its contacts are.
+struct ContactState {
+  Eigen::VectorXd q;
+  Eigen::VectorXd u;
+  std::vector<ContactMode> modes;
+};
+
+/// One time-step of `moreau` and of `moreau_implicit`, see moreau.hpp. Of a step that was not accepted
+/// nothing is kept but guesses.
+class MoreauStep {
+ public:
+  enum class Kind {
+    second_order,  ///< SDIRK2 where contacts stay what they are, else `implicit`
+    implicit,      ///< backward Euler throughout
+  };
+  using Outcome = ImplicitStage::Outcome;
+
+  /// `report`, which outlives this, is counted in.
+  MoreauStep(const MechanicalSystem& system, const IntegratorOptions& options, Kind kind, RunReport& report);
+
+  /// From (t, start) over dt > 0.
+  Outcome attempt(double t, const ContactState& start, double dt);
+  // Of the last attempt that was solved:
+  const ContactState& end() const { return end_; }
+  /// Whether contacts stayed what they were.
+  bool smooth() const { return smooth_; }
+  const std::vector<Dissipation>& dissipated() const { return dissipated_; }
+  /// The motion at t + θdt, restore() not yet applied: q cubic (linear where a contact closed), u linear.
+  void interpolate(double theta, Eigen::VectorXd& q, Eigen::VectorXd& u) const;
+
+ private:
+  struct Landing {
+    std::size_t contact;
+    double when;      ///< of the step, 0 to 1
+    double approach;  ///< γ_N at that time, without impact [m/s]
+    double change;    ///< of γ_N over the whole step, without impact [m/s]
+  };
+
+  Outcome second_order(double t, const ContactState& start, double dt);
+  Outcome euler(double t, const ContactState& start, double dt, double w_q);
+  Outcome land(double t, const ContactState& start, double dt);
+  void find_landings(double t, const ContactState& start, double dt);
+  void read_modes();
+  double normal_velocity(std::size_t contact, double t, const Eigen::VectorXd& q, const Eigen::VectorXd& u);
+  void add_power(double weight);
+  void add_impulses(const ContactState& start, bool impact);
+  void close_gaps(double t);
+  void forget_dissipation();
+
+  const MechanicalSystem& system_;
+  Kind kind_;
+  ImplicitStage stage_;
+  std::vector<std::size_t> closed_;
+  std::vector<Landing> landings_;
+  ContactState end_;
+  std::vector<Dissipation> dissipated_;
+  bool smooth_ = true;
+  bool jumped_ = false;
+
+  ContactRows contact_;
+  Eigen::VectorXd acceleration_;  ///< of the last stage: a guess
+  Eigen::VectorXd q1_, u1_, q_base_, u_base_, gamma_start_, rates_;
+  Eigen::VectorXd q_start_, u_start_, rates_start_, rates_end_;
+  double dt_ = 0;
+};
+
+/// Adds what a step dissipated to what the run did.
+void add(const std::vector<Dissipation>& step, std::vector<Dissipation>& run);
+/// Ends a run whose step was not solved.
+RunReport& end_run(RunReport& report, MoreauStep::Outcome outcome, double t);
+
+}  // namespace contensou
