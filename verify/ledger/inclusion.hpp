@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-/// What the rows of Section 4.1 are measured with: the friction ball of the Hertz law from its chord
+/// What the rows of Section 4 are measured with: the friction ball of the Hertz law from its chord
 /// integrals, and a contact problem (4.7) to (4.9) in generic numbers. None of it comes from the library.
 namespace verify::ledger {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-/// The paper ledger: every numbered equation and every quantitative sentence of Sections 2, 3, 4.1 and
+/// The paper ledger: every numbered equation and every quantitative sentence of Sections 2 to 5 and
 /// Appendix A of LG03, each put to the test. A row computes what is printed and, where that fails, what
 /// should stand there; the verdict follows.
 namespace verify::ledger {
@@ -50,6 +50,9 @@ std::vector<Row> section3();
 std::vector<Row> friction_ball();         ///< the sets of Sections 2 and 3
 std::vector<Row> section4();              ///< 4.1
 std::vector<Row> augmented_lagrangian();  ///< of it (4.10) to (4.17)
+std::vector<Row> section4_2();
+std::vector<Row> section5_system();  ///< 5.1 to 5.3
+std::vector<Row> section5_data();    ///< the data of 5.4
 std::vector<Row> appendix_a();
 std::vector<Row> sentences();
 

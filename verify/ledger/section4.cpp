@@ -1,122 +1,25 @@
 // LG03 Section 4.1, first half: the equation of motion and its discretisation, (4.1) to (4.9), on the paper's
 // own example, the tippe-top of Section 5.
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
 #include "inclusion.hpp"
 #include "oracle.hpp"
+#include "top_oracle.hpp"
 
 namespace verify::ledger {
 namespace {
 
-using Vector6 = Inclusion::Vector6;
-using Eigen::Matrix3d;
-using Eigen::Vector3d;
-
-/// The tippe-top, LG03 5.4, in units of 1e-2 m, 1e-3 kg, s, so that all numbers are of order one.
-constexpr double m = 6, i1 = 8, i3 = 7, g = 981;
-constexpr double a[] = {0.3, 1.6};
-constexpr double r[] = {1.5, 0.5};
-constexpr double radius = 0.05;
-
-struct State {
-  Vector6 q;
-  Vector6 u;
-};
-
-/// A state in which nothing is zero.
-State generic() {
-  State s;
-  s.q << 0.3, -0.2, 1.4, 0.7, 0.4, -1.1;
-  s.u << 0.5, -0.8, 0.3, 1.3, -0.9, 2.1;
-  return s;
-}
-
-Matrix3d turn(double angle, int i, int j) {
-  Matrix3d t = Matrix3d::Identity();
-  t(i, i) = t(j, j) = std::cos(angle);
-  t(i, j) = std::sin(angle);
-  t(j, i) = -std::sin(angle);
-  return t;
-}
-
-/// Body to floor, A^{14}, from (5.1).
-Matrix3d attitude(const Vector6& q) {
-  return (turn(q[5], 0, 1) * turn(q[3], 1, 2) * turn(q[4], 0, 1)).transpose();
-}
-
-/// Five-point derivative along q(t) = q + ut + at²/2: h⁴ and 1e-16/h.
-template <class F>
-auto rate(const F& f, const State& s, const Vector6& acceleration) {
-  constexpr double h = 2e-3;
-  const auto at = [&](double t) {
-    return f(State{s.q + t * s.u + t * t / 2 * acceleration, s.u + t * acceleration}).eval();
-  };
-  return ((8 * (at(h) - at(-h)) - (at(2 * h) - at(-2 * h))) / (12 * h)).eval();
-}
-constexpr double differences = 1e-7;
-
-/// Angular velocity in the floor's axes, from the attitude alone.
-Vector3d spin(const State& s) {
-  const Matrix3d w =
-      rate([](const State& x) { return attitude(x.q); }, s, Vector6::Zero()) * attitude(s.q).transpose();
-  return {w(2, 1), w(0, 2), w(1, 0)};
-}
-
-/// From the centre of mass to the contact point.
-Vector3d arm(int i, const Vector6& q) { return attitude(q).col(2) * a[i] - Vector3d(0, 0, r[i]); }
-
-/// Velocity of the body's material point at the contact, and ω_3R.
-Eigen::Vector4d contact_velocity(int i, const State& s) {
-  const Vector3d omega = spin(s);
-  const Vector3d v = s.u.head<3>() + omega.cross(arm(i, s.q));
-  return {v[2], v[0], v[1], radius * omega[2]};
-}
-
-// As printed.
-Eigen::Matrix<double, 6, 6> mass(double theta) {
-  const double s = std::sin(theta);
-  const double c = std::cos(theta);
-  Eigen::Matrix<double, 6, 6> result = Eigen::Matrix<double, 6, 6>::Zero();
-  result.diagonal() << m, m, m, i1, i1 * s * s + i3 * c * c, i3;
-  result(4, 5) = result(5, 4) = i3 * c;
-  return result;
-}
-Vector6 smooth(const State& x) {
-  const double s = std::sin(x.q[3]);
-  const double c = std::cos(x.q[3]);
-  const double theta = x.u[3];
-  const double phi = x.u[4];
-  const double psi = x.u[5];
-  return Vector6{{0, 0, -m * g, ((i1 - i3) * phi * c - i3 * psi) * phi * s,
-                  (2 * (i3 - i1) * phi * c + i3 * psi) * theta * s, i3 * phi * theta * s}};
-}
-/// (W_N, W_T, W_τ), (5.16), (5.20), (5.21).
-Eigen::Matrix<double, 6, 4> directions(int i, const Vector6& q) {
-  const double s = std::sin(q[3]);
-  const double c = std::cos(q[3]);
-  const double sf = std::sin(q[4]);
-  const double cf = std::cos(q[4]);
-  const double h = a[i] * c - r[i];
-  Eigen::Matrix<double, 6, 4> w;
-  w << 0, 1, 0, 0,                              //
-      0, 0, 1, 0,                               //
-      1, 0, 0, 0,                               //
-      -a[i] * s, h * sf, -h * cf, 0,            //
-      0, a[i] * s * cf, a[i] * s * sf, radius,  //
-      0, r[i] * s * cf, r[i] * s * sf, radius * c;
-  return w;
-}
+using namespace top;
 
 Finding motion() {
   std::vector<Trial> trials;
   const State s = generic();
   for (const int i : {0, 1}) {
     const Eigen::Vector4d force(60, 20, -15, 100);  // accelerations of order ten
-    const Vector6 acceleration = mass(s.q[3]).ldlt().solve(smooth(s) + directions(i, s.q) * force);
+    const Vector6 acceleration = top::acceleration(s, directions(i, s.q) * force);
     // Newton and Euler: momentum and angular momentum about the centre of mass.
     const Vector3d push(force[1], force[2], force[0]);
     const Vector3d torque = arm(i, s.q).cross(push) + Vector3d(0, 0, force[3] * radius);
@@ -241,7 +144,7 @@ Finding velocities() {
       const auto gap = [&](const State& x) { return Eigen::Matrix<double, 1, 1>(x.q[2] + arm(i, x.q)[2]); };
       trials.push_back(
           absolute(0, (rate(gap, s, Vector6::Zero())[0] - (w.transpose() * s.u)[0]) / direct.norm()));
-      s.u += mass(s.q[3]).ldlt().solve(w * Eigen::Vector4d(4, 0.5, -0.3, 0.2));
+      s.u += response(s.q[3], w * Eigen::Vector4d(4, 0.5, -0.3, 0.2));
     }
   }
   const Trial t = worst(trials);
@@ -284,30 +187,10 @@ Finding one_letter() {
               text(atom)};
 }
 
-/// The top in free flight, by Runge and Kutta in many small steps.
-Vector6 flown(const State& start, double time) {
-  constexpr int steps = 64;
-  const double h = time / steps;
-  State s = start;
-  const auto slope = [](const State& x) { return State{x.u, mass(x.q[3]).ldlt().solve(smooth(x))}; };
-  const auto moved = [](const State& x, double t, const State& k) {
-    return State{x.q + t * k.q, x.u + t * k.u};
-  };
-  for (int i = 0; i < steps; ++i) {
-    const State k1 = slope(s);
-    const State k2 = slope(moved(s, h / 2, k1));
-    const State k3 = slope(moved(s, h / 2, k2));
-    const State k4 = slope(moved(s, h, k3));
-    s.q += h / 6 * (k1.q + 2 * k2.q + 2 * k3.q + k4.q);
-    s.u += h / 6 * (k1.u + 2 * k2.u + 2 * k3.u + k4.u);
-  }
-  return s.u;
-}
-
 Finding motion_in_differences() {
   const auto remainder = [](double step) {
     const State s = generic();
-    const Vector6 change = flown(s, step) - s.u;
+    const Vector6 change = flown(s, step, 64).u - s.u;
     return (mass(s.q[3]) * change - smooth(s) * step).tail<3>().norm();
   };
   // Steps so small that the next term, of the order of Δt, does not count, and rounding (1e-16/Δt²) neither.
