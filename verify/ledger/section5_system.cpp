@@ -321,8 +321,8 @@ Vector3d nearest(int i, const Vector6& q) {
   const Vector3d middle = centre(i, q);
   const Vector3d below(middle[0], middle[1], 0);
   const auto distance = [&](double x, double y) { return (middle + r[i] * downward(x, y) - below).norm(); };
-  double x = 0.4;
-  double y = -0.3;
+  double x = 0.37;
+  double y = -0.29;
   for (double step = 0.1; step > 1e-9; step /= 2) {
     for (bool moved = true; moved;) {
       moved = false;
