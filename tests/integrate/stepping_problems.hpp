@@ -2,6 +2,7 @@
 // DOP853 with the contact forces of sliding put in by hand (no contact solver, no time-stepping).
 #pragma once
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -96,6 +97,13 @@ class SmoothReference final : public contensou::OdeSystem {
     if (contact_ >= 0) {
       const auto i = static_cast<std::size_t>(contact_);
       system_.contact_rows(i, t, q, u, rows_);
+      if (!border_) {
+        const auto w = rows_.directions.leftCols<3>();
+        const Eigen::Vector3d left = w.transpose() * a + rows_.drift.head<3>();
+        lambda_ = -Eigen::Matrix3d(w.transpose() * rows_.response.leftCols<3>()).ldlt().solve(left);
+        dy << rates, a + rows_.response.leftCols<3>() * lambda_;
+        return;
+      }
       const Eigen::Vector3d friction = -system_.contacts()[i].mu * border_(rows_.velocity.tail<3>());
       const Eigen::VectorXd per_newton = rows_.response.col(0) + rows_.response.rightCols(3) * friction;
       const auto normal = rows_.directions.col(0);
@@ -104,6 +112,9 @@ class SmoothReference final : public contensou::OdeSystem {
     }
     dy << rates, a;
   }
+
+  /// (λ_N, λ_T1, λ_T2) of the last evaluation in rolling.
+  const Eigen::Vector3d& rolling_force() const { return lambda_; }
 
   State run(const State& start, double t_end, int steps) {
     Eigen::VectorXd y(size()), rate(size());
@@ -124,6 +135,7 @@ class SmoothReference final : public contensou::OdeSystem {
   int contact_;
   Border border_;
   contensou::ContactRows rows_;
+  Eigen::Vector3d lambda_{0, 0, 0};
 };
 
 /// The paper's top with Hertz's pressure.
@@ -146,6 +158,22 @@ inline State top_in_flight(const contensou::TippeTopAxis& top) {
 constexpr double flight_time = 0.05;
 /// The paper's start; the body slips all the time up to here and beyond.
 constexpr double slip_time = 0.02;
+
+/// The paper's top as a point contact that cannot slip, rolling with its body in a generic manner.
+inline contensou::TippeTopAxis rolling_top() {
+  return {contensou::TippeTopData{}, contensou::tippe_top_contacts(system_test::point, 5)};
+}
+inline State top_rolling(const contensou::TippeTopAxis& top) {
+  State s = top.start(0.7, 30);
+  s.u.tail<3>() += Eigen::Vector3d(3, 0, 2);
+  contensou::ContactRows rows(6);
+  top.contact_rows(0, 0, s.q, s.u, rows);
+  s.u[0] -= rows.velocity[1];
+  s.u[1] -= rows.velocity[2];
+  s.u[2] -= rows.velocity[0];
+  return s;
+}
+constexpr double rolling_time = 0.1;
 
 /// Largest of the errors of the coordinates and, per 100/s of the coordinates' scales, of the velocities.
 inline double difference(const contensou::MechanicalSystem& system, const State& a, const State& b) {

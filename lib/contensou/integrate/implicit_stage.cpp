@@ -46,43 +46,62 @@ ImplicitStage::Outcome ImplicitStage::solve(const Base& base, Eigen::VectorXd& q
         base.w_u * force_[chosen[k]].head(contacts_.rows(k));
   system_.coordinate_rates(base.q, u, rates_);
   q = base.q + base.w_q * rates_;
-  double worst = 0;
   for (int round = 0; round < most_rounds; ++round) {
     before_ = u;
     system_.free_acceleration(base.t, q, before_, free_);
     ++report_.evaluations;
     u = base.u + base.w_u * free_;
     if (!chosen.empty()) {
-      contacts_.evaluate(base.t, q);
-      ContactProblem& problem = contacts_.problem();
-      contacts_.velocity(u, problem.free_velocity);
-      for (std::size_t k = 0; k < chosen.size(); ++k)
-        problem.free_velocity[contacts_.row(k)] -= shift_[static_cast<Eigen::Index>(k)];
-      if (!problem.free_velocity.allFinite() || !problem.delassus.allFinite()) return Outcome::not_finite;
-      const SolverReport solved = solver_.solve(problem, impulse_);
-      ++report_.contact_problems;
-      report_.contact_iterations += solved.iterations;
-      if (solved.status != SolverStatus::solved && solved.status != SolverStatus::at_rounding)
-        return Outcome::solver_failed;
-      worst = solved.residual;
-      uncertain_ = zero_in_tolerances * std::max(tolerance_, solved.residual) *
-                   problem.free_velocity.lpNorm<Eigen::Infinity>();
-      u.noalias() += contacts_.response() * impulse_;
+      const Outcome outcome = solve_inclusion(base.t, q, u);
+      if (outcome == Outcome::not_finite && round > 0) return Outcome::no_convergence;
+      if (outcome != Outcome::solved) return outcome;
     }
     system_.coordinate_rates(q, u, rates_);
     q = base.q + base.w_q * rates_;
-    if (!q.allFinite() || !u.allFinite()) return Outcome::not_finite;
+    // The first round has the system's numbers; later ones may have run away.
+    if (!q.allFinite() || !u.allFinite()) return round > 0 ? Outcome::no_convergence : Outcome::not_finite;
     change_ = u - before_;
     system_.coordinate_rates(q, change_, rates_);
     if (!settled(round, base.w_u)) continue;
     contacts_.velocity(u, gamma_);
-    report_.worst_residual = std::max(report_.worst_residual, worst);
+    if (!chosen.empty()) report_.worst_residual = std::max(report_.worst_residual, residual_);
     for (std::size_t k = 0; k < chosen.size(); ++k)
       force_[chosen[k]].head(contacts_.rows(k)) =
           impulse_.segment(contacts_.row(k), contacts_.rows(k)) / base.w_u;
     return Outcome::solved;
   }
   return Outcome::no_convergence;
+}
+
+ImplicitStage::Outcome ImplicitStage::impact(double t, const Eigen::VectorXd& q, Eigen::VectorXd& u) {
+  impulse_.setZero();
+  const Outcome outcome = solve_inclusion(t, q, u);
+  if (outcome != Outcome::solved) return outcome;
+  if (!u.allFinite()) return Outcome::not_finite;
+  contacts_.velocity(u, gamma_);
+  report_.worst_residual = std::max(report_.worst_residual, residual_);
+  return outcome;
+}
+
+/// u without contacts on entry, with Λ on return.
+ImplicitStage::Outcome ImplicitStage::solve_inclusion(double t, const Eigen::VectorXd& q,
+                                                      Eigen::VectorXd& u) {
+  contacts_.evaluate(t, q);
+  ContactProblem& problem = contacts_.problem();
+  contacts_.velocity(u, problem.free_velocity);
+  for (std::size_t k = 0; k < contacts_.chosen().size(); ++k)
+    problem.free_velocity[contacts_.row(k)] -= shift_[static_cast<Eigen::Index>(k)];
+  if (!problem.free_velocity.allFinite() || !problem.delassus.allFinite()) return Outcome::not_finite;
+  const SolverReport solved = solver_.solve(problem, impulse_);
+  ++report_.contact_problems;
+  report_.contact_iterations += solved.iterations;
+  if (solved.status != SolverStatus::solved && solved.status != SolverStatus::at_rounding)
+    return Outcome::solver_failed;
+  residual_ = solved.residual;
+  uncertain_ =
+      zero_in_tolerances * std::max(tolerance_, residual_) * problem.free_velocity.lpNorm<Eigen::Infinity>();
+  u.noalias() += contacts_.response() * impulse_;
+  return Outcome::solved;
 }
 
 /// Whether the round changed nothing any more; rates_: by the change of u.
@@ -100,7 +119,7 @@ bool ImplicitStage::settled(int round, double w_u) {
 ContactMode ImplicitStage::mode(std::size_t k) const {
   const Eigen::Index first = contacts_.row(k);
   const Eigen::Index n = contacts_.rows(k);
-  if (!(impulse_[first] > 0) && gamma_[first] > uncertain_) return ContactMode::open;
+  if (gamma_[first] > uncertain_) return ContactMode::open;
   const bool sticks = n > 1 && gamma_.segment(first + 1, n - 1).norm() <= uncertain_;
   return sticks ? ContactMode::stick : ContactMode::slip;
 }

@@ -42,18 +42,21 @@ class ImplicitStage {
 
   /// `u`: the guess on entry. Forces of the last stage in which a contact was chosen are the guess of Λ.
   Outcome solve(const Base& base, Eigen::VectorXd& q, Eigen::VectorXd& u);
+  /// An impact alone: u ← u + M⁻¹WΛ at (t, q) with the same laws.
+  Outcome impact(double t, const Eigen::VectorXd& q, Eigen::VectorXd& u);
   /// One line for an outcome that is not `solved`.
   static std::string describe(Outcome outcome);
 
   // Of the last stage solved, rows of contacts() in order:
   const Eigen::VectorXd& impulse() const { return impulse_; }  ///< Λ
   const Eigen::VectorXd& gamma() const { return gamma_; }      ///< γ
-  /// What chosen contact k is: open where it has no Λ_N and moves off; sticking where γ_F is zero. `Zero` is
+  /// What chosen contact k is: open where it moves off, γ_N > 0; sticking where γ_F is zero. `Zero` is
   /// what the solver leaves uncertain: ten of its tolerances (or of the residual reached) of the problem's
   /// largest velocity.
   ContactMode mode(std::size_t k) const;
 
  private:
+  Outcome solve_inclusion(double t, const Eigen::VectorXd& q, Eigen::VectorXd& u);
   bool settled(int round, double w_u);
 
   const MechanicalSystem& system_;
@@ -67,6 +70,7 @@ class ImplicitStage {
   Eigen::VectorXd impulse_, gamma_;
   Eigen::VectorXd free_, rates_, before_, change_;
   double last_change_ = 0;
+  double residual_ = 0;   ///< of the last inclusion
   double uncertain_ = 0;  ///< velocity that counts as zero [m/s]
 };
 

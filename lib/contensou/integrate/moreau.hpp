@@ -18,30 +18,33 @@ namespace contensou {
 /// which throws a contact that just stopped slipping back the other way. Such steps have an error of O(Δt²)
 /// in u where forces jump or kink (stick, opening), and are too few to be felt.
 ///
-/// Where an open contact would end the step in the floor, it lands in it: backward Euler with the contact
-/// taken in, Newton's impact law, and q̇ = F u with the old u until the gap, taken as linear, is closed and
-/// with the new one after. So a body that lands inelastically comes to lie on the floor to O(Δt²), not to
-/// O(Δt) beside it. Several landings in one step share the time of the first. A bounce slower than what the
-/// smooth forces of one step end, ε_N|γ_N⁻| <= |Δγ_N|, is none: inelastic. So bouncing comes to an end.
+/// Where an open contact would end the step in the floor, it lands in it. When, is taken from the gaps at the
+/// step's ends (linear between them); the step is made up to there, then an impact by the set-valued laws
+/// with Newton's restitution, then one of backward Euler over what is left, with all contacts that were
+/// closed or landed. So a body that lands inelastically comes to lie on the floor, and impulses are never
+/// weighted. Several landings in one step share the time of the first. A bounce that the smooth forces of one
+/// step end, ε_N|γ_N⁻| <= |Δγ_N|, is none: inelastic; and what backward Euler keeps on the floor after an
+/// impact does not bounce at all. So bouncing comes to an end: impacts that accumulate are passed at the size
+/// of a step.
 ///
 /// After each step, gaps of closed contacts are set to zero by changes of q along M⁻¹w_N: in smooth steps by
 /// O(Δt³), the drift of a constraint that is kept on velocity level.
 ///
-/// Order: 2 in free flight, slip, stick and rolling; through an impact 2 where it is inelastic without
-/// friction, else 1.
+/// Order: 2 in free flight, slip, stick and rolling, and through impacts that are apart.
 ///
 /// Dissipation is summed with the stages' laws and the method's weights, in steps of backward Euler as
-/// −Λ·½(γ⁻ + γ⁺), exact for the change of kinetic energy, and where a contact lands all as impact. A step's
-/// events carry the time of its end. Shown inside a step is u as linear, q as cubic.
+/// −Λ·½(γ⁻ + γ⁺), exact for the change of kinetic energy, and from a landing to its step's end all as impact.
+/// A step's events carry the time of its end; a bounce is `close` and `open` at one time. Shown inside a step
+/// is u as linear, q as cubic.
 ///
 /// The equations of a stage converge for Δt of up to about 3/‖∂(u̇, q̇)/∂(u, q)‖ (of a top: 3/ω); a longer one
 /// ends the run, RunStatus::solver_failed, as does a contact problem that is not solved.
 Scheme run_moreau;
 
 /// `moreau_implicit`: the fully implicit version of Moreau's method of which LG03 Section 6 speaks: backward
-/// Euler for q and u, h and W at the step's end, too. All else as `moreau`. First order. L-stable: what
-/// oscillates is damped, with ω Δt²/2 … of its frequency ω: nutation dies in numbers, not by friction.
-/// Converges for Δt up to about 1/‖∂(u̇, q̇)/∂(u, q)‖.
+/// Euler for q and u, h and W at the step's end, too. All else as `moreau`. First order. What oscillates with
+/// ω is damped by (1 + ω²Δt²)^−½ each step, at the rate ω²Δt/2: so dies the nutation, by numbers and not by
+/// friction. Converges for Δt up to about 1/‖∂(u̇, q̇)/∂(u, q)‖.
 Scheme run_moreau_implicit;
 
 }  // namespace contensou

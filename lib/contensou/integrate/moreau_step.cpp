@@ -14,6 +14,9 @@ constexpr double diagonal = 1 - std::numbers::sqrt2 / 2;
 /// (1 − γ)/γ: how much of what the first stage changed goes into the second one's base.
 constexpr double carried = (1 - diagonal) / diagonal;
 
+// Parts of a step that are not worth a step of their own, whose velocities would differ by rounding.
+constexpr double negligible = 1e-9;
+
 // Gaps of closed contacts are brought below this part of length_scale (rounding of coordinates), by sweeps
 // over the contacts that each take the last one's square, or a fixed part where contacts pull at each other.
 constexpr double closed_gap = 0x1p-50;
@@ -42,29 +45,36 @@ MoreauStep::Outcome MoreauStep::attempt(double t, const ContactState& start, dou
   q_start_ = start.q;
   u_start_ = start.u;
   system_.coordinate_rates(start.q, start.u, rates_start_);
-  jumped_ = false;
+  landed_ = 1;
+  bounced_.clear();
+  Outcome outcome = fly(t, start, dt);
+  if (outcome != Outcome::solved) return outcome;
+  find_landings(t, start, dt);
+  if (!landings_.empty()) outcome = land(t, start, dt);
+  if (outcome != Outcome::solved) return outcome;
+  close_gaps(t + dt);
+  system_.coordinate_rates(end_.q, end_.u, rates_end_);
+  return Outcome::solved;
+}
+
+/// The step with the contacts that are closed at its start.
+MoreauStep::Outcome MoreauStep::fly(double t, const ContactState& start, double dt) {
   closed_.clear();
   for (std::size_t i = 0; i < start.modes.size(); ++i) {
     if (start.modes[i] != ContactMode::open) closed_.push_back(i);
   }
   stage_.choose(closed_);
-
-  forget_dissipation();
-  Outcome outcome = kind_ == Kind::second_order ? second_order(t, start, dt) : euler(t, start, dt, dt);
-  if (outcome != Outcome::solved) return outcome;
-  find_landings(t, start, dt);
-  if (!landings_.empty()) {
-    outcome = land(t, start, dt);
-  } else if (!smooth_ && kind_ == Kind::second_order) {
-    outcome = euler(t, start, dt, dt);
-    if (outcome == Outcome::solved) find_landings(t, start, dt);
-    if (outcome == Outcome::solved && !landings_.empty()) outcome = land(t, start, dt);
+  std::fill(dissipated_.begin(), dissipated_.end(), Dissipation{});
+  if (kind_ == Kind::second_order) {
+    const Outcome outcome = second_order(t, start, dt);
+    if (outcome != Outcome::solved || smooth_) return outcome;
+    std::fill(dissipated_.begin(), dissipated_.end(), Dissipation{});
   }
+  const Outcome outcome = euler(t, start, dt);
   if (outcome != Outcome::solved) return outcome;
-  close_gaps(t + dt);
-  system_.restore(end_.q);
-  system_.coordinate_rates(end_.q, end_.u, rates_end_);
-  return Outcome::solved;
+  acceleration_ = (end_.u - start.u) / dt;
+  add_impulses(start.u, false);
+  return outcome;
 }
 
 /// u₁ = u + γΔt a₁; u_E = u + (1 − γ)Δt a₁ + γΔt a₂, and so for q.
@@ -89,16 +99,11 @@ MoreauStep::Outcome MoreauStep::second_order(double t, const ContactState& start
   return outcome;
 }
 
-/// q_E = base + w_q F(q_E)u_E with the base at t + dt − w_q.
-MoreauStep::Outcome MoreauStep::euler(double t, const ContactState& start, double dt, double w_q) {
-  forget_dissipation();
-  q_base_ = start.q + (dt - w_q) * rates_start_;
+MoreauStep::Outcome MoreauStep::euler(double t, const ContactState& start, double dt) {
   end_.u = start.u + dt * acceleration_;
-  const Outcome outcome = stage_.solve({t + dt, w_q, dt, q_base_, start.u}, end_.q, end_.u);
+  const Outcome outcome = stage_.solve({t + dt, dt, dt, start.q, start.u}, end_.q, end_.u);
   if (outcome != Outcome::solved) return outcome;
   read_modes();
-  add_impulses(start, jumped_);
-  if (!jumped_) acceleration_ = (end_.u - start.u) / dt;
   smooth_ = end_.modes == start.modes;
   return outcome;
 }
@@ -112,32 +117,63 @@ void MoreauStep::find_landings(double t, const ContactState& start, double dt) {
     if (!(after < 0)) continue;
     const double before = system_.gap(i, t, start.q);
     const double when = before > 0 ? before / (before - after) : 0;
-    const double first = normal_velocity(i, t, start.q, start.u);
-    const double change = normal_velocity(i, t + dt, end_.q, end_.u) - first;
-    landings_.push_back({i, when, first + when * change, change});
+    const double change =
+        normal_velocity(i, t + dt, end_.q, end_.u) - normal_velocity(i, t, start.q, start.u);
+    landings_.push_back({i, when, change});
   }
 }
 
-/// The step with the contacts that land in it: backward Euler for u, q with u of the start until the first of
-/// them lands and that of the end after it.
+/// The step up to the first landing, the impact, and backward Euler over what is left, with all contacts that
+/// were closed or landed.
 MoreauStep::Outcome MoreauStep::land(double t, const ContactState& start, double dt) {
-  double first = 1;
-  for (const Landing& landing : landings_) {
-    closed_.push_back(landing.contact);
-    first = std::min(first, landing.when);
+  landed_ = 1;
+  for (const Landing& landing : landings_) landed_ = std::min(landed_, landing.when);
+  if (landed_ < negligible) landed_ = 0;
+  before_impact_ = start;
+  if (landed_ > 0) {
+    const Outcome outcome = fly(t, start, landed_ * dt);
+    if (outcome != Outcome::solved) return outcome;
+    before_impact_ = end_;
+  } else {
+    std::fill(dissipated_.begin(), dissipated_.end(), Dissipation{});
   }
+
+  for (const Landing& landing : landings_) closed_.push_back(landing.contact);
   std::sort(closed_.begin(), closed_.end());
   stage_.choose(closed_);
+  const double t_impact = t + landed_ * dt;
   for (const Landing& landing : landings_) {
-    // Newton's law: γ_N⁺ = −ε γ_N⁻ at the landing; the step's end sees the change of γ_N since. A bounce that
-    // the smooth forces of one step end is none.
-    const double bounce = -system_.contacts()[landing.contact].restitution * landing.approach;
+    // Newton's law. A bounce that the smooth forces of one step end is none.
+    const double approach = normal_velocity(landing.contact, t_impact, before_impact_.q, before_impact_.u);
+    const double bounce = -system_.contacts()[landing.contact].restitution * approach;
     if (!(bounce > std::abs(landing.change))) continue;
     const auto k = std::find(closed_.begin(), closed_.end(), landing.contact) - closed_.begin();
-    stage_.set_shift(static_cast<std::size_t>(k), bounce + (1 - landing.when) * landing.change);
+    stage_.set_shift(static_cast<std::size_t>(k), bounce);
   }
-  jumped_ = true;
-  return euler(t, start, dt, (1 - first) * dt);
+  u_after_impact_ = before_impact_.u;
+  Outcome outcome = stage_.impact(t_impact, before_impact_.q, u_after_impact_);
+  if (outcome != Outcome::solved) return outcome;
+  add_impulses(before_impact_.u, true);
+  for (const Landing& landing : landings_) {
+    const auto k = std::find(closed_.begin(), closed_.end(), landing.contact) - closed_.begin();
+    if (stage_.impulse()[stage_.contacts().row(static_cast<std::size_t>(k))] > 0)
+      bounced_.push_back(landing.contact);
+  }
+
+  stage_.choose(closed_);
+  const double rest = 1 - landed_ < negligible ? 0 : (1 - landed_) * dt;
+  end_.q = before_impact_.q;
+  end_.u = u_after_impact_;
+  if (rest > 0) {
+    end_.u += rest * acceleration_;
+    outcome = stage_.solve({t + dt, rest, rest, before_impact_.q, u_after_impact_}, end_.q, end_.u);
+    if (outcome != Outcome::solved) return outcome;
+    add_impulses(u_after_impact_, true);
+  }
+  read_modes();
+  smooth_ = false;
+  std::erase_if(bounced_, [&](std::size_t i) { return end_.modes[i] != ContactMode::open; });
+  return outcome;
 }
 
 void MoreauStep::read_modes() {
@@ -150,8 +186,6 @@ double MoreauStep::normal_velocity(std::size_t contact, double t, const Eigen::V
   system_.contact_rows(contact, t, q, u, contact_);
   return contact_.velocity[0];
 }
-
-void MoreauStep::forget_dissipation() { std::fill(dissipated_.begin(), dissipated_.end(), Dissipation{}); }
 
 /// −weight Λ·γ of the stage.
 void MoreauStep::add_power(double weight) {
@@ -166,10 +200,10 @@ void MoreauStep::add_power(double weight) {
   }
 }
 
-/// −Λ·½(γ⁻ + γ⁺).
-void MoreauStep::add_impulses(const ContactState& start, bool impact) {
+/// −Λ·½(γ_start + γ): by rows, or, with a landing, all as impact.
+void MoreauStep::add_impulses(const Eigen::VectorXd& u_start, bool landing) {
   gamma_start_.resize(stage_.contacts().rows());
-  stage_.contacts().velocity(start.u, gamma_start_);
+  stage_.contacts().velocity(u_start, gamma_start_);
   for (std::size_t k = 0; k < closed_.size(); ++k) {
     const Eigen::Index first = stage_.contacts().row(k);
     const Eigen::Index n = stage_.contacts().rows(k);
@@ -177,7 +211,7 @@ void MoreauStep::add_impulses(const ContactState& start, bool impact) {
       return -stage_.impulse()[first + row] * (gamma_start_[first + row] + stage_.gamma()[first + row]) / 2;
     };
     Dissipation& d = dissipated_[closed_[k]];
-    if (impact) {
+    if (landing) {
       for (Eigen::Index row = 0; row < n; ++row) d.impact += work(row);
     } else {
       if (n > 1) d.sliding += work(1) + work(2);
@@ -186,10 +220,11 @@ void MoreauStep::add_impulses(const ContactState& start, bool impact) {
   }
 }
 
-/// q of the end onto g_N = 0 of all closed contacts, by changes along M⁻¹w_N.
+/// q of the end restored, and onto g_N = 0 of all closed contacts by changes along M⁻¹w_N.
 void MoreauStep::close_gaps(double t) {
   const double good = closed_gap * system_.length_scale();
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+    system_.restore(end_.q);
     bool done = true;
     for (std::size_t i = 0; i < end_.modes.size(); ++i) {
       if (end_.modes[i] == ContactMode::open) continue;
@@ -204,18 +239,22 @@ void MoreauStep::close_gaps(double t) {
     }
     if (done) return;
   }
+  system_.restore(end_.q);
 }
 
 void MoreauStep::interpolate(double theta, Eigen::VectorXd& q, Eigen::VectorXd& u) const {
-  u = u_start_ + theta * (end_.u - u_start_);
-  const Eigen::VectorXd& a = q_start_;
-  const Eigen::VectorXd& b = end_.q;
-  if (jumped_) {
-    q = a + theta * (b - a);
+  if (landed_ < 1) {
+    const bool before = theta < landed_;
+    const double part = before ? theta / landed_ : (theta - landed_) / (1 - landed_);
+    const Eigen::VectorXd& q0 = before ? q_start_ : before_impact_.q;
+    const Eigen::VectorXd& u0 = before ? u_start_ : u_after_impact_;
+    q = q0 + part * ((before ? before_impact_.q : end_.q) - q0);
+    u = u0 + part * ((before ? before_impact_.u : end_.u) - u0);
     return;
   }
+  u = u_start_ + theta * (end_.u - u_start_);
   const double back = 1 - theta;
-  q = (1 + 2 * theta) * back * back * a + (1 + 2 * back) * theta * theta * b +
+  q = (1 + 2 * theta) * back * back * q_start_ + (1 + 2 * back) * theta * theta * end_.q +
       dt_ * theta * back * (back * rates_start_ - theta * rates_end_);
 }
 

@@ -34,27 +34,29 @@ class MoreauStep {
   /// Whether contacts stayed what they were.
   bool smooth() const { return smooth_; }
   const std::vector<Dissipation>& dissipated() const { return dissipated_; }
-  /// The motion at t + θdt, restore() not yet applied: q cubic (linear where a contact closed), u linear.
+  /// Contacts that were hit and are open at start and end.
+  const std::vector<std::size_t>& bounced() const { return bounced_; }
+  /// The motion at t + θdt, restore() not yet applied: q cubic, u linear; where a contact landed, both linear
+  /// before and after.
   void interpolate(double theta, Eigen::VectorXd& q, Eigen::VectorXd& u) const;
 
  private:
   struct Landing {
     std::size_t contact;
-    double when;      ///< of the step, 0 to 1
-    double approach;  ///< γ_N at that time, without impact [m/s]
-    double change;    ///< of γ_N over the whole step, without impact [m/s]
+    double when;    ///< of the step, 0 to 1
+    double change;  ///< of γ_N over the whole step, without impact [m/s]
   };
 
   Outcome second_order(double t, const ContactState& start, double dt);
-  Outcome euler(double t, const ContactState& start, double dt, double w_q);
+  Outcome euler(double t, const ContactState& start, double dt);
   Outcome land(double t, const ContactState& start, double dt);
   void find_landings(double t, const ContactState& start, double dt);
   void read_modes();
   double normal_velocity(std::size_t contact, double t, const Eigen::VectorXd& q, const Eigen::VectorXd& u);
+  Outcome fly(double t, const ContactState& start, double dt);
   void add_power(double weight);
-  void add_impulses(const ContactState& start, bool impact);
+  void add_impulses(const Eigen::VectorXd& u_start, bool landing);
   void close_gaps(double t);
-  void forget_dissipation();
 
   const MechanicalSystem& system_;
   Kind kind_;
@@ -64,7 +66,10 @@ class MoreauStep {
   ContactState end_;
   std::vector<Dissipation> dissipated_;
   bool smooth_ = true;
-  bool jumped_ = false;
+  std::vector<std::size_t> bounced_;
+  double landed_ = 1;  ///< when, in steps; 1: not
+  ContactState before_impact_;
+  Eigen::VectorXd u_after_impact_;
 
   ContactRows contact_;
   Eigen::VectorXd acceleration_;  ///< of the last stage: a guess

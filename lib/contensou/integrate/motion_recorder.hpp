@@ -42,8 +42,13 @@ class MotionRecorder {
   /// A step from t0 to t1 was accepted: counts it, records at t1 what changed to `modes`, and shows what is
   /// to be shown in (t0, t1]; interpolate(θ, q, u) writes the motion at t0 + θ(t1 − t0).
   template <class Interpolate>
-  void accept(double t0, double t1, const std::vector<ContactMode>& modes, const Interpolate& interpolate) {
+  void accept(double t0, double t1, const std::vector<ContactMode>& modes, const Interpolate& interpolate,
+              const std::vector<std::size_t>& bounced = {}) {
     ++report_.steps;
+    for (const std::size_t i : bounced) {
+      report_.events.push_back({t1, EventKind::close, i});
+      report_.events.push_back({t1, EventKind::open, i});
+    }
     for (std::size_t i = 0; i < modes.size(); ++i) record_change(t1, i, modes_[i], modes[i], report_.events);
     modes_ = modes;
     while (clock_.next() <= t1) {
