@@ -9,11 +9,13 @@ target_link_libraries(reproduce_common PUBLIC contensou report_program PRIVATE c
 
 set(figure_files "")
 
-# contensou_figure(NAME DATA names... DRAWINGS names...): NAME/NAME.cpp writes the tables, NAME/NAME.gp draws them.
+# contensou_figure(NAME DATA names... DRAWINGS names... [ALSO names...]): NAME/NAME.cpp writes the tables DATA, NAME/NAME.gp
+# draws them and the tables ALSO, which a program of verifications.cmake writes.
 function(contensou_figure name)
-  cmake_parse_arguments(arg "" "" "DATA;DRAWINGS" ${ARGN})
+  cmake_parse_arguments(arg "" "" "DATA;DRAWINGS;ALSO" ${ARGN})
   list(TRANSFORM arg_DATA PREPEND ${report_data}/ OUTPUT_VARIABLE tables)
   list(TRANSFORM tables APPEND .tsv)
+  list(TRANSFORM arg_ALSO REPLACE "(.+)" "${report_data}/\\1.tsv" OUTPUT_VARIABLE also)
   list(TRANSFORM arg_DRAWINGS PREPEND ${report_figures}/ OUTPUT_VARIABLE drawings)
   list(TRANSFORM drawings APPEND .svg)
 
@@ -27,7 +29,7 @@ function(contensou_figure name)
     COMMAND ${CMAKE_COMMAND} -E make_directory ${report_figures}
     COMMAND ${GNUPLOT} -e "style='${CMAKE_CURRENT_SOURCE_DIR}/style.gp'; mesh='${CMAKE_CURRENT_SOURCE_DIR}/common/mesh.gp'; data='${report_data}'; figures='${report_figures}'"
             ${CMAKE_CURRENT_SOURCE_DIR}/${name}/${name}.gp
-    DEPENDS ${tables} ${name}/${name}.gp style.gp common/mesh.gp
+    DEPENDS ${tables} ${also} ${name}/${name}.gp style.gp common/mesh.gp
     COMMENT "Figure ${name}: drawing" VERBATIM)
   add_custom_target(${name} DEPENDS ${drawings})
   set(figure_files ${figure_files} ${tables} ${drawings} PARENT_SCOPE)
@@ -41,4 +43,5 @@ contensou_figure(fig05 DATA fig05a fig05b DRAWINGS fig05a fig05b)
 contensou_figure(fig06 DATA fig06a fig06a_set fig06b fig06b_set DRAWINGS fig06a fig06b)
 contensou_figure(fig07 DATA fig07a fig07a_curves fig07a_lines fig07b fig07b_curves fig07b_lines DRAWINGS fig07a fig07b)
 contensou_figure(fig08 DATA fig08 fig08_curves fig08_lines DRAWINGS fig08)
-add_custom_target(figures DEPENDS fig01 fig02 fig03 fig04 fig05 fig06 fig07 fig08)
+contensou_figure(fig11 DATA fig11 fig11_positions fig11_roots ALSO fig11_simulated DRAWINGS fig11)
+add_custom_target(figures DEPENDS fig01 fig02 fig03 fig04 fig05 fig06 fig07 fig08 fig11)

@@ -58,6 +58,8 @@ contensou_run(verify_contact "Verification: how reliable the contact solvers are
   DRAWN_BY ${PROJECT_SOURCE_DIR}/verify/contact/robustness.gp DRAWINGS robustness)
 contensou_run(verify_consistency "Verification: energy, power and order of contacts on random problems"
   TABLES consistency parts/claims-consistency)
+contensou_run(verify_stability "Verification: stability of the spinning top"
+  TABLES stability_growth fig11_simulated parts/claims-stability)
 contensou_run(verify_siconos "Verification: against Siconos, points of contact and patches cut into points"
   OPTIONAL "Siconos is not installed"
   TABLES siconos_coulomb siconos_patch siconos_ball parts/claims-siconos
@@ -90,4 +92,5 @@ endif()
 
 set(verification_statuses
   ${verify_quadrature_status} ${verify_ledger_status} ${verify_plates_status} ${verify_ball_status} ${verify_accuracy_status}
-  ${verify_augmented_status} ${verify_contact_status} ${verify_consistency_status} ${verify_siconos_status})
+  ${verify_augmented_status} ${verify_contact_status} ${verify_consistency_status} ${verify_stability_status}
+  ${verify_siconos_status})

@@ -121,8 +121,33 @@ bool euler_angles(const fs::path& folder) {
   return good;
 }
 
+// LG03 5.5: the regions by their inequalities. The critical spin is within the two decades that the map looks
+// at where the hyperbola is not nearer than this.
+constexpr double clear_of_hyperbola = 0.01;
+bool magnus(const fs::path& folder) {
+  const Table borders = contensou::read_table(folder / "fig11.tsv");
+  bool good = true;
+  for (const Point& p : points(borders, "line", "hyperbola", "h_over_r", "i3_over_i1")) {
+    good = close("fig11: h/r = I1/I3", p.real() * p.imag(), 1) && good;
+  }
+  const Table map = contensou::read_table(folder / "fig11_roots.tsv");
+  const auto regions = map.texts("region");
+  const auto x = map.numbers("h_over_r"), y = map.numbers("i3_over_i1");
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    if (std::abs(x[i] * y[i] - 1) < clear_of_hyperbola) continue;
+    const bool below = x[i] * y[i] < 1;
+    const std::string expected = x[i] < 1 ? (below ? "IV" : "III") : (below ? "I" : "II");
+    if (regions[i] != expected) {
+      std::printf("fig11: h/r = %g, I3/I1 = %g is in %s, by the roots in %s\n", x[i], y[i], expected.c_str(),
+                  regions[i].c_str());
+      good = false;
+    }
+  }
+  return good;
+}
+
 const std::map<std::string, bool (*)(const fs::path&)> drawings = {
-    {"fig01", contact_surface}, {"fig07", tippe_top}, {"fig08", euler_angles}};
+    {"fig01", contact_surface}, {"fig07", tippe_top}, {"fig08", euler_angles}, {"fig11", magnus}};
 
 }  // namespace
 

@@ -31,8 +31,8 @@ double growth_531(double radius) {
       .real();
 }
 
-/// What the slope of ln θ, least squares, makes of a rate that changes with the spin: its mean with the weight
-/// (3/4)(1 − x²) over x = −1 ... 1, by the two points ±1/√5 to third order.
+/// What the slope of ln θ, least squares, makes of a rate that changes with the spin: its mean with the
+/// weight (3/4)(1 − x²) over x = −1 ... 1, by the two points ±1/√5 to third order.
 double mean_rate(const Setting& s, const Growth& g, std::size_t mode) {
   const double apart = g.spin_change / 2 / std::sqrt(5.0);
   return (slow_modes(s, g.spin - apart)[mode].rate + slow_modes(s, g.spin + apart)[mode].rate) / 2;

@@ -11,7 +11,7 @@
 namespace verify::stability {
 namespace {
 
-constexpr std::array shapes_h = {0.25, 0.5, 0.7, 0.85, 1.2, 1.5, 1.9, 2.4, 2.9, 3.4, 3.9, 4.4};
+constexpr std::array shapes_h = {0.25, 0.5, 0.68, 0.92, 1.2, 1.5, 1.9, 2.4, 2.9, 3.4, 3.9, 4.4};
 constexpr std::array shapes_i = {0.125, 0.4, 0.65, 0.9, 1.15, 1.4, 1.65, 1.9};
 
 struct Point {
