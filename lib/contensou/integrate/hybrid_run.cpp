@@ -289,10 +289,28 @@ std::optional<HybridRun::Found> HybridRun::find_event(OdeStep& stepper, double h
   std::optional<Found> first;
   for (std::size_t m = 0; m < at_end_.size(); ++m) {
     if (at_end_[m] >= 0) continue;
-    const double theta = at_start_[m] < 0 ? 0 : locate(stepper, h, m, 0, last);
+    const double left = m % 2 == 0 ? risen(stepper, m / 2, last, h) : 0;
+    const double theta = left == 0 && at_start_[m] < 0 ? 0 : locate(stepper, h, m, left, last);
     if (!first || theta < first->theta) first = Found{theta, m};
   }
   return first;
+}
+
+/// Where in the step just tried a contact that opened at its start, or little before, has risen: from there it
+/// is watched for closing at zero. 0 where it never has, or was armed before.
+double HybridRun::risen(OdeStep& stepper, std::size_t contact, double last, double h) {
+  if (modes_[contact] != ContactMode::open || armed_[contact]) return 0;
+  constexpr int halvings = 30;
+  double theta = last;
+  for (int k = 0; k < halvings; ++k) {
+    theta /= 2;
+    stepper.interpolate(dynamics_, theta, between_);
+    const double gap = system_.gap(contact, state_.t + theta * h, between_.head(dynamics_.coordinates()));
+    if (gap <= armed_gap * scales_.length) continue;
+    armed_[contact] = true;
+    return theta;
+  }
+  return 0;
 }
 
 double HybridRun::locate(OdeStep& stepper, double h, std::size_t monitor_index, double left, double right) {

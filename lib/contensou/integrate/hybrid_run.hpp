@@ -60,6 +60,7 @@ class HybridRun {
   void monitor(double t, const Eigen::VectorXd& y, std::vector<double>& values) const;
   bool evaluate_between(OdeStep& stepper, double h, double theta, std::vector<double>& values);
   std::optional<Found> find_event(OdeStep& stepper, double h);
+  double risen(OdeStep& stepper, std::size_t contact, double last, double h);
   double locate(OdeStep& stepper, double h, std::size_t monitor, double left, double right);
   bool land(OdeStep& stepper, double h, const Found& found);
   void arm();
