@@ -20,8 +20,10 @@ constexpr double armed_gap = 1e-13;       ///< an open contact has risen: ten th
 constexpr double approach_speed = 1e-11;  ///< beside the rounding of γ_N, 1e-16, and below all that matters
 constexpr double slip_at_rest = 1e-11;    ///< likewise
 constexpr double overshoot = 1e-10;       ///< of λ_N and of the friction limit: events are just past zero
-constexpr double accumulated = 1e-5;      ///< a series of impacts shorter than this is summed, and ...
-constexpr double accumulated_root = 3;    ///< ... where bounces are lower than errors: times √tolerance
+/// Bounces shorter than this are summed: five times as long as one of the height `armed_gap` ...
+constexpr double short_bounce = 5e-6;
+/// ... or, times √tolerance, as one as high as errors are.
+constexpr double short_bounce_root = 1;
 
 /// h·rate at which the explicit methods become unstable is 2.8 (order 4) to 6 (order 8).
 constexpr double stable = 2.0;
@@ -93,7 +95,7 @@ bool HybridRun::start() {
   }
   modes_before_ = modes_;
   load();
-  if (!settle("start")) return false;
+  if (!settle("start", state_.t)) return false;
   report_.events.clear();  // how it starts is no event
   for (std::size_t i = 0; i < modes_.size(); ++i) {
     if (instant_.struck(i)) record_change(state_.t, i, ContactMode::open, modes_[i], report_.events);
@@ -144,8 +146,8 @@ void HybridRun::read_rates() {
   }
 }
 
-/// Solves the instant, records what changed, and makes everything ready for the next step.
-bool HybridRun::settle(const std::string& cause) {
+/// Solves the instant, records what changed as of time t, and makes everything ready for the next step.
+bool HybridRun::settle(const std::string& cause, double t) {
   // First, so that a contact that opens does so at g_N = 0.
   instant_.correct_positions(state_, modes_);
   if (!instant_.settle(state_, modes_, tolerances_, report_)) {
@@ -153,11 +155,13 @@ bool HybridRun::settle(const std::string& cause) {
     return false;
   }
   for (std::size_t i = 0; i < modes_.size(); ++i) {
-    if (instant_.struck(i) && modes_before_[i] == ContactMode::open && modes_[i] == ContactMode::open)
-      report_.events.push_back({state_.t, EventKind::close, i});
-    if (instant_.struck(i) && modes_before_[i] == ContactMode::open && modes_[i] == ContactMode::open)
-      report_.events.push_back({state_.t, EventKind::open, i});
-    record_change(state_.t, i, modes_before_[i], modes_[i], report_.events);
+    const bool bounced =
+        instant_.struck(i) && modes_before_[i] == ContactMode::open && modes_[i] == ContactMode::open;
+    if (bounced) {
+      report_.events.push_back({t, EventKind::close, i});
+      report_.events.push_back({t, EventKind::open, i});
+    }
+    record_change(t, i, modes_before_[i], modes_[i], report_.events);
     if (modes_[i] == ContactMode::open && (modes_before_[i] != ContactMode::open || instant_.struck(i)))
       armed_[i] = false;
   }
@@ -182,22 +186,25 @@ void HybridRun::note_impacts() {
 
 /// Ends a series of impacts whose rest is too short to follow.
 bool HybridRun::close_accumulated() {
-  const double short_time =
-      scales_.time * (choice_ == StepChoice::adaptive
-                          ? std::max(accumulated, accumulated_root * std::sqrt(options_.tolerance))
-                          : accumulated);
+  double shortest = short_bounce;
+  if (choice_ == StepChoice::adaptive)
+    shortest = std::max(shortest, short_bounce_root * std::sqrt(options_.tolerance));
+  shortest *= scales_.time;
+  if (impacts_.shortest() > shortest) return true;
   std::optional<double> limit = impacts_.limit();
-  if (impacts_.span() < short_time) limit = state_.t;  // so many in so short a time are no longer resolved
-  if (!limit || *limit - state_.t > short_time) return true;
+  if (impacts_.longest() <= shortest) limit = state_.t;  // no longer resolved: over
+  if (!limit) return true;
   for (std::size_t i = 0; i < modes_.size(); ++i) {
-    if (!took_part_[i]) continue;
-    report_.events.push_back({*limit, EventKind::accumulation, i});
-    if (modes_[i] == ContactMode::open) modes_[i] = ContactMode::slip;
+    if (took_part_[i] && modes_[i] == ContactMode::open) modes_[i] = ContactMode::slip;
+  }
+  instant_.correct_velocities(state_, modes_, report_);
+  if (!settle("accumulation of impacts", *limit)) return false;
+  for (std::size_t i = 0; i < modes_.size(); ++i) {
+    if (took_part_[i]) report_.events.push_back({*limit, EventKind::accumulation, i});
   }
   impacts_.clear();
   took_part_.assign(took_part_.size(), false);
-  instant_.correct_velocities(state_, modes_, report_);
-  return settle("accumulation of impacts");
+  return true;
 }
 
 OdeStep& HybridRun::choose_stepper(double h) {
@@ -451,7 +458,7 @@ bool HybridRun::advance() {
     system_.restore(state_.q);
     const std::size_t contact = found->monitor / 2;
     if (modes_[contact] == ContactMode::open) modes_[contact] = ContactMode::slip;  // closed, for settle
-    if (!settle("event")) return false;
+    if (!settle("event", state_.t)) return false;
     note_impacts();
     return close_accumulated();
   }
@@ -484,7 +491,7 @@ bool HybridRun::advance() {
   correct_drift();
   arm();
   read_rates();
-  if (slowest_slip_ <= tolerances_.slip) return settle("slip that came to rest");
+  if (slowest_slip_ <= tolerances_.slip) return settle("slip that came to rest", state_.t);
   return true;
 }
 

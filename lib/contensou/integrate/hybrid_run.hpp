@@ -43,7 +43,7 @@ class HybridRun {
 
   bool start();
   bool advance();
-  bool settle(const std::string& cause);
+  bool settle(const std::string& cause, double t);
   void note_impacts();
   bool close_accumulated();
 

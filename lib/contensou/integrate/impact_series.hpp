@@ -34,14 +34,24 @@ class ImpactSeries {
     return times_[3 * window] + third * ratio / (1 - ratio);
   }
 
-  /// How long the last 18 intervals took together; infinite where there were fewer.
-  double span() const {
-    return count_ < capacity ? std::numeric_limits<double>::infinity() : times_[3 * window] - times_[0];
-  }
+  /// The shortest of the last six intervals, the longest of the last 18; infinite where there were fewer.
+  double shortest() const { return extreme(window, [](double a, double b) { return a < b; }); }
+  double longest() const { return extreme(3 * window, [](double a, double b) { return a > b; }); }
 
  private:
   static constexpr std::size_t window = 6;
   static constexpr std::size_t capacity = 3 * window + 1;
+
+  template <class Better>
+  double extreme(std::size_t intervals, const Better& better) const {
+    if (count_ < intervals + 1) return std::numeric_limits<double>::infinity();
+    double best = times_[count_ - 1] - times_[count_ - 2];
+    for (std::size_t i = count_ - intervals; i + 1 < count_; ++i) {
+      if (better(times_[i] - times_[i - 1], best)) best = times_[i] - times_[i - 1];
+    }
+    return best;
+  }
+
   std::array<double, capacity> times_{};
   std::size_t count_ = 0;
 };
