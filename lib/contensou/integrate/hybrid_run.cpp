@@ -33,7 +33,7 @@ constexpr double worth_implicit = 12;
 constexpr int longest_patience = 512;
 constexpr double share_of_time_to_rest = 0.7;
 constexpr int most_stalled = 200;
-constexpr int landing_attempts = 3;
+constexpr int landing_attempts = 8;
 
 }  // namespace
 
@@ -335,23 +335,33 @@ double HybridRun::locate(OdeStep& stepper, double h, std::size_t monitor_index, 
   return bracket.second;
 }
 
-/// Takes the step that ends at the event: first of the length found, then corrected until its own end is just
-/// past zero.
+/// Takes the step that ends at the event: first of the length found, then corrected by the secant rule until
+/// its own end is at zero. False where it does not get there: then the step was too long for its extension.
 bool HybridRun::land(OdeStep& stepper, double h, const Found& found) {
+  constexpr double close_enough = 4 * epsilon;
+  constexpr double good_enough = 1e-12;  // where the monitor is rougher than that
+  constexpr double before = 1 - 1e-4;    // where the extension gives the first slope
+  const double theta_before = before * found.theta;
+  evaluate_between(stepper, h, theta_before, at_theta_);
+  const double value_before = at_theta_[found.monitor];
+  evaluate_between(stepper, h, found.theta, at_theta_);
+  double slope = (at_theta_[found.monitor] - value_before) / ((found.theta - theta_before) * h);
   double length = found.theta * h;
-  double previous_length = 0, previous_value = at_start_[found.monitor];
-  for (int attempt = 0; attempt < landing_attempts; ++attempt) {
+  for (int attempt = 0;; ++attempt) {
     const double error = stepper.attempt(dynamics_, state_.t, y_, rate_, length, scale_);
     if (!std::isfinite(error)) return false;
     monitor(state_.t + length, stepper.end(), at_end_);
     const double value = at_end_[found.monitor];
-    const double slope = (value - previous_value) / (length - previous_length);
-    constexpr double close_enough = 4 * epsilon;
-    if (std::abs(value) <= close_enough || attempt + 1 == landing_attempts || !(slope < 0)) break;
-    previous_length = length;
-    previous_value = value;
+    if (std::abs(value) <= close_enough) break;
+    if (attempt == landing_attempts || !(slope < 0)) {
+      if (std::abs(value) > good_enough) return false;
+      break;
+    }
     const double corrected = length - value / slope;
-    if (!(corrected > 0 && corrected <= 1.001 * h)) break;
+    if (!(corrected > 0 && corrected <= 1.01 * h)) return false;
+    const double moved = corrected - length;
+    // A secant through values that rounding makes up has no slope: the first one will do.
+    if (attempt > 0 && std::abs(moved) <= epsilon * std::abs(state_.t)) break;
     length = corrected;
   }
   show_until(state_.t + length, &stepper, length);
