@@ -2,51 +2,12 @@
 
 #include <array>
 #include <catch2/catch.hpp>
-#include <cstdlib>
 #include <random>
 #include <vector>
 
+#include "../allocation_counter.hpp"
 #include "contensou/contact/contact_solver.hpp"
 #include "contensou/contact/covering_path.hpp"
-
-namespace {
-
-// Counted only between start and end of a Counter: what Catch and other tests do is none of our business.
-bool counting = false;
-long allocations = 0;
-
-}  // namespace
-
-// Eigen takes its memory from malloc, the standard library from operator new, which calls malloc: this
-// program's own malloc counts both, and hands on to the C library's.
-extern "C" {
-void* __libc_malloc(std::size_t size);
-void* __libc_calloc(std::size_t count, std::size_t size);
-void* __libc_realloc(void* old, std::size_t size);
-void* __libc_memalign(std::size_t alignment, std::size_t size);
-}
-
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define CONTENSOU_COUNTS_ALLOCATIONS 1
-extern "C" {
-void* malloc(std::size_t size) noexcept {
-  if (counting) ++allocations;
-  return __libc_malloc(size);
-}
-void* calloc(std::size_t count, std::size_t size) noexcept {
-  if (counting) ++allocations;
-  return __libc_calloc(count, size);
-}
-void* realloc(void* old, std::size_t size) noexcept {
-  if (counting) ++allocations;
-  return __libc_realloc(old, size);
-}
-void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {
-  if (counting) ++allocations;
-  return __libc_memalign(alignment, size);
-}
-}
-#endif
 
 using namespace contensou;
 
@@ -75,16 +36,16 @@ ContactProblem random_problem(std::mt19937_64& g, const std::vector<const AnyFri
 long allocations_once_solved(SolverMethod method, const std::vector<ContactProblem>& problems) {
   ContactSolver solver({.method = method, .tolerance = 1e-10, .max_iterations = 2000});
   Eigen::VectorXd impulse = Eigen::VectorXd::Zero(problems.front().rows());
-  allocations = 0;
+  allocation_counter::reset();
   for (const bool second : {false, true}) {
     for (const ContactProblem& problem : problems) {
       impulse.setZero();
-      counting = second;
+      if (second) allocation_counter::start();
       static_cast<void>(solver.solve(problem, impulse));
-      counting = false;
+      allocation_counter::stop();
     }
   }
-  return allocations;
+  return allocation_counter::count();
 }
 
 constexpr std::array methods{SolverMethod::modified_newton, SolverMethod::gauss_seidel,
@@ -93,13 +54,14 @@ constexpr std::array methods{SolverMethod::modified_newton, SolverMethod::gauss_
 }  // namespace
 
 TEST_CASE("Allocation: none in a solve, whatever the method", "[contact]") {
-#ifndef CONTENSOU_COUNTS_ALLOCATIONS
-  WARN("not counted: this is another C library, or a sanitizer");
-#else
-  counting = true;
+  if (!allocation_counter::available()) {
+    WARN("not counted: this is another C library, or a sanitizer");
+    return;
+  }
+  allocation_counter::start();
   Eigen::VectorXd some(3);
-  counting = false;
-  REQUIRE(allocations > 0);  // the counter counts
+  allocation_counter::stop();
+  REQUIRE(allocation_counter::count() > 0);  // the counter counts
 
   std::mt19937_64 g(2003);
   for (const AnyFriction* kind : {&frictionless, &point, &uniform, &hertz}) {
@@ -121,17 +83,16 @@ TEST_CASE("Allocation: none in a solve, whatever the method", "[contact]") {
   // The path, which few problems need.
   ScaledProblem scaled;
   CoveringPathMemory memory;
-  allocations = 0;
+  allocation_counter::reset();
   int steps = 0;
   for (const bool second : {false, true}) {
     for (const ContactProblem& problem : several) {
       scaled.set(problem);
-      counting = second;
+      if (second) allocation_counter::start();
       steps += follow_covering_path(scaled, {1e-7, 1e3, 100}, memory);
-      counting = false;
+      allocation_counter::stop();
     }
   }
   CHECK(steps > 0);
-  CHECK(allocations == 0);
-#endif
+  CHECK(allocation_counter::count() == 0);
 }
