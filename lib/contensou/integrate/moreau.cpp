@@ -23,7 +23,8 @@ RunReport run(MoreauStep::Kind kind, const MechanicalSystem& system, State& stat
     const MoreauStep::Outcome outcome = step.attempt(state.t, now, steps.step());
     if (outcome != MoreauStep::Outcome::solved) return end_run(report, outcome, state.t);
     add(step.dissipated(), report.dissipated);
-    recorder.accept(state.t, steps.time(k), step.end().modes, interpolate, step.bounced());
+    recorder.accept(state.t, steps.time(k), step.end().modes, interpolate,
+                    step.time_of_events(state.t, steps.time(k)), step.bounced());
     now = step.end();
     state.t = steps.time(k);
     state.q = now.q;

@@ -104,7 +104,7 @@ RunReport run_moreau_adaptive(const MechanicalSystem& system, State& state, doub
     recorder.accept(
         from, to, half.end().modes,
         [&half](double theta, Eigen::VectorXd& q, Eigen::VectorXd& u) { half.interpolate(theta, q, u); },
-        half.bounced());
+        half.time_of_events(from, to), half.bounced());
   };
 
   while (state.t < t_end) {
@@ -132,9 +132,11 @@ RunReport run_moreau_adaptive(const MechanicalSystem& system, State& state, doub
     const double error = norm(second.end(), whole.end());
     const bool smooth = whole.smooth() && first.smooth() && second.smooth();
     const bool at_floor = !smooth && tried <= floor_in_steps * longest;
-    if (!(error <= 1) && !at_floor) {
+    // Whole and halves may agree in what neither sees.
+    const bool blind = whole.suppressed() || first.suppressed() || second.suppressed();
+    if ((!(error <= 1) || blind) && !at_floor) {
       ++report.rejected;
-      dt = control.rejected(error) * tried;
+      dt = (blind ? least_after_rejection : control.rejected(error)) * tried;
       if (!smooth) dt = std::max(dt, floor_in_steps * longest);
       continue;
     }

@@ -21,10 +21,14 @@ namespace contensou {
 /// Impacts and changes of mode are not smooth: the whole step and its halves see them at other times, and the
 /// error does not shrink as it should. The step is reduced until the error passes or Δt is at the floor of
 ///     tolerance^⅓ × the longest step accepted so far,
-/// at which a step with a change is accepted as it is: so its time is as good as all that is smooth. From
-/// there the step size recovers in a few steps by factors of 5. The floor never shrinks, so that accumulating
-/// impacts end at it. A smooth step may be shorter. The run ends with RunStatus::step_too_small where the
-/// step no longer changes the time.
+/// at which a step with a change is accepted as it is: its error is then no worse than all that is smooth.
+/// The same is done with a step that kept a contact closed which an impact had left open, or ended a bounce:
+/// in that, whole step and halves may agree. From there the step size recovers in a few steps by factors
+/// of 5. The floor never shrinks, so that accumulating impacts end at it. A smooth step may be shorter. The
+/// run ends with RunStatus::step_too_small where the step no longer changes the time.
+///
+/// A contact that closes and opens again inside a step is not seen where gaps are positive at the ends of its
+/// halves: what moves by polynomials of degree two has no error to keep steps short.
 ///
 /// RunReport::steps counts the halves, rejected the pairs tried in vain.
 Scheme run_moreau_adaptive;

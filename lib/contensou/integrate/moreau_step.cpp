@@ -38,6 +38,8 @@ MoreauStep::MoreauStep(const MechanicalSystem& system, const IntegratorOptions& 
   end_.modes.assign(system.contacts().size(), ContactMode::open);
   closed_.reserve(system.contacts().size());
   landings_.reserve(system.contacts().size());
+  bounced_.reserve(system.contacts().size());
+  left_open_.reserve(system.contacts().size());
 }
 
 MoreauStep::Outcome MoreauStep::attempt(double t, const ContactState& start, double dt) {
@@ -47,6 +49,7 @@ MoreauStep::Outcome MoreauStep::attempt(double t, const ContactState& start, dou
   system_.coordinate_rates(start.q, start.u, rates_start_);
   landed_ = 1;
   bounced_.clear();
+  suppressed_ = false;
   Outcome outcome = fly(t, start, dt);
   if (outcome != Outcome::solved) return outcome;
   find_landings(t, start, dt);
@@ -146,7 +149,10 @@ MoreauStep::Outcome MoreauStep::land(double t, const ContactState& start, double
     // Newton's law. A bounce that the smooth forces of one step end is none.
     const double approach = normal_velocity(landing.contact, t_impact, before_impact_.q, before_impact_.u);
     const double bounce = -system_.contacts()[landing.contact].restitution * approach;
-    if (!(bounce > std::abs(landing.change))) continue;
+    if (!(bounce > std::abs(landing.change))) {
+      suppressed_ = suppressed_ || bounce > 0;
+      continue;
+    }
     const auto k = std::find(closed_.begin(), closed_.end(), landing.contact) - closed_.begin();
     stage_.set_shift(static_cast<std::size_t>(k), bounce);
   }
@@ -158,6 +164,11 @@ MoreauStep::Outcome MoreauStep::land(double t, const ContactState& start, double
     const auto k = std::find(closed_.begin(), closed_.end(), landing.contact) - closed_.begin();
     if (stage_.impulse()[stage_.contacts().row(static_cast<std::size_t>(k))] > 0)
       bounced_.push_back(landing.contact);
+  }
+
+  left_open_.clear();
+  for (std::size_t k = 0; k < closed_.size(); ++k) {
+    if (stage_.mode(k) == ContactMode::open) left_open_.push_back(closed_[k]);
   }
 
   stage_.choose(closed_);
@@ -172,6 +183,7 @@ MoreauStep::Outcome MoreauStep::land(double t, const ContactState& start, double
   }
   read_modes();
   smooth_ = false;
+  for (const std::size_t i : left_open_) suppressed_ = suppressed_ || end_.modes[i] != ContactMode::open;
   std::erase_if(bounced_, [&](std::size_t i) { return end_.modes[i] != ContactMode::open; });
   return outcome;
 }

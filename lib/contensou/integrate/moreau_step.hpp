@@ -34,6 +34,11 @@ class MoreauStep {
   /// Whether contacts stayed what they were.
   bool smooth() const { return smooth_; }
   const std::vector<Dissipation>& dissipated() const { return dissipated_; }
+  /// Whether a contact that an impact would have left open, or left bouncing with its ε_N, was kept closed:
+  /// the step is too long to see it.
+  bool suppressed() const { return suppressed_; }
+  /// When the events of a step from t0 to t1 were: at the landing, else at its end.
+  double time_of_events(double t0, double t1) const { return landed_ < 1 ? t0 + landed_ * (t1 - t0) : t1; }
   /// Contacts that were hit and are open at start and end.
   const std::vector<std::size_t>& bounced() const { return bounced_; }
   /// The motion at t + θdt, restore() not yet applied: q cubic, u linear; where a contact landed, both linear
@@ -66,8 +71,10 @@ class MoreauStep {
   ContactState end_;
   std::vector<Dissipation> dissipated_;
   bool smooth_ = true;
+  bool suppressed_ = false;
   std::vector<std::size_t> bounced_;
-  double landed_ = 1;  ///< when, in steps; 1: not
+  std::vector<std::size_t> left_open_;  ///< by an impact
+  double landed_ = 1;                   ///< when, in steps; 1: not
   ContactState before_impact_;
   Eigen::VectorXd u_after_impact_;
 

@@ -39,23 +39,31 @@ class MotionRecorder {
 
   const std::vector<ContactMode>& modes() const { return modes_; }
 
-  /// A step from t0 to t1 was accepted: counts it, records at t1 what changed to `modes`, and shows what is
-  /// to be shown in (t0, t1]; interpolate(θ, q, u) writes the motion at t0 + θ(t1 − t0).
+  /// A step from t0 to t1 was accepted: counts it, records at t_events what changed to `modes` and which
+  /// contacts `bounced` (closed and opened), and shows what is to be shown in (t0, t1]. interpolate(θ, q, u)
+  /// writes the motion at t0 + θ(t1 − t0).
   template <class Interpolate>
   void accept(double t0, double t1, const std::vector<ContactMode>& modes, const Interpolate& interpolate,
-              const std::vector<std::size_t>& bounced = {}) {
+              double t_events, const std::vector<std::size_t>& bounced) {
     ++report_.steps;
     for (const std::size_t i : bounced) {
-      report_.events.push_back({t1, EventKind::close, i});
-      report_.events.push_back({t1, EventKind::open, i});
+      report_.events.push_back({t_events, EventKind::close, i});
+      report_.events.push_back({t_events, EventKind::open, i});
     }
-    for (std::size_t i = 0; i < modes.size(); ++i) record_change(t1, i, modes_[i], modes[i], report_.events);
+    for (std::size_t i = 0; i < modes.size(); ++i)
+      record_change(t_events, i, modes_[i], modes[i], report_.events);
     modes_ = modes;
     while (clock_.next() <= t1) {
       interpolate((clock_.next() - t0) / (t1 - t0), q_, u_);
       system_.restore(q_);
       show();
     }
+  }
+
+  /// The same where nothing bounced and events are at the step's end.
+  template <class Interpolate>
+  void accept(double t0, double t1, const std::vector<ContactMode>& modes, const Interpolate& interpolate) {
+    accept(t0, t1, modes, interpolate, t1, {});
   }
 
  private:
