@@ -94,11 +94,12 @@ int run(int argc, char** argv) {
       "The laws are those of R.I. Leine, Ch. Glocker, A set-valued force law for spatial Coulomb-Contensou "
       "friction,\n"
       "European Journal of Mechanics A/Solids 22 (2003) 193-216; LG03 (2.1) is its equation (2.1).\n\n"
-      "Exit status: 0 done; 1 the result could not be written to standard output; 2 bad input. An error is "
-      "one line\n"
-      "on standard error, and then nothing is written to standard output.");
+      "Exit status: 0 done; 1 the result could not be written, or a simulation did not reach its end; 2 bad "
+      "input.\n"
+      "An error is one line on standard error, and then nothing is written to standard output.");
   cli::add_law(program);
   cli::add_project(program);
+  cli::add_simulate(program);
 
   const auto complain = [&](const std::string& message, cli::Status status) {
     std::cerr << full_name(program) << ": " << message << '\n';

@@ -36,21 +36,6 @@ Parsed parse(std::string_view text) {
 
 }  // namespace
 
-std::string in_quotes(std::string_view value) {
-  constexpr std::size_t longest = 60;
-  constexpr std::string_view digits = "0123456789abcdef";
-  std::string shown = "\"";
-  for (const char character : value.substr(0, longest)) {
-    const auto byte = static_cast<unsigned char>(character);
-    if (byte < 0x20 || byte == 0x7f) {
-      shown += {'\\', 'x', digits[byte / 16], digits[byte % 16]};
-    } else {
-      shown += character;
-    }
-  }
-  return shown + (value.size() > longest ? "...\"" : "\"");
-}
-
 bool is_number(std::string_view text) { return parse(text).complete; }
 
 double to_number(std::string_view text, std::string_view source, std::string_view expected) {

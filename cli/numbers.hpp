@@ -6,11 +6,11 @@
 #include <string_view>
 #include <vector>
 
+#include "contensou/text/quoted.hpp"
+
 namespace cli {
 
-/// A value as an error message shows it: in quotes, on one
-/// line, control characters as \xNN, shortened if long.
-std::string in_quotes(std::string_view value);
+using contensou::in_quotes;
 
 /// Whether the whole text reads as a number, NaN and numbers out of range included.
 bool is_number(std::string_view text);

@@ -113,42 +113,4 @@ Table read_table(const std::filesystem::path& path) {
   return table;
 }
 
-namespace {
-
-/// What the rename is to replace: the file a link leads to, never the link itself, and nothing but a regular
-/// file.
-std::filesystem::path replaceable(const std::filesystem::path& path) {
-  std::error_code error;
-  const bool is_link = std::filesystem::is_symlink(std::filesystem::symlink_status(path, error));
-  const std::filesystem::path target = is_link ? std::filesystem::canonical(path, error) : path;
-  const auto status = std::filesystem::status(target, error);
-  if (target.empty() || (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))) {
-    throw std::runtime_error(path.string() + ": cannot be written, it is not a regular file");
-  }
-  return target;
-}
-
-}  // namespace
-
-void write_file(std::string_view text, const std::filesystem::path& name) {
-  std::error_code error;
-  const std::filesystem::path path = replaceable(name);
-  if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), error);
-  const std::filesystem::path temporary = path.string() + ".part";
-  {
-    std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
-    out.write(text.data(), static_cast<std::streamsize>(text.size()));
-    out.close();
-    if (!out) {
-      std::filesystem::remove(temporary, error);
-      throw std::runtime_error(path.string() + ": cannot be written");
-    }
-  }
-  std::filesystem::rename(temporary, path, error);
-  if (error) {
-    std::filesystem::remove(temporary, error);
-    throw std::runtime_error(path.string() + ": cannot be written");
-  }
-}
-
 }  // namespace contensou

@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "contensou/output/file.hpp"
 #include "contensou/text/number.hpp"
 
 namespace contensou {
@@ -40,9 +41,5 @@ void write_table(const Table& table, const std::filesystem::path& path);
 
 /// Reads a table; throws std::runtime_error naming file and line where a row does not have one cell a column.
 Table read_table(const std::filesystem::path& path);
-
-/// Writes any text the same way: temporary name, then rename. Through a link, the file it leads to is
-/// replaced; what is there and no regular file (a folder, a device) is refused.
-void write_file(std::string_view text, const std::filesystem::path& path);
 
 }  // namespace contensou

@@ -1,0 +1,190 @@
+// contensou simulate: runs a scene and writes what came of it into a folder.
+
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bad_input.hpp"
+#include "contensou/output/file.hpp"
+#include "contensou/output/progress.hpp"
+#include "contensou/scene/run.hpp"
+#include "contensou/text/number.hpp"
+#include "contensou/text/quoted.hpp"
+#include "output.hpp"
+#include "subcommand.hpp"
+#include "summary.hpp"
+
+namespace cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* description =
+    "Simulation: runs a scene and writes its motion, its events and its energy ledger.\n\n"
+    "A scene is a TOML file that says what is there, how it starts, and how it is to be integrated; see "
+    "scenes/.\n"
+    "Written into a folder, each file all or nothing:\n"
+    "    trajectory.tsv   t theta z_s gap_body gap_tip energy omega_z ...   one row each output.interval\n"
+    "    events.tsv       t event contact     event: close, open, accumulation (of impacts), stick or slip\n"
+    "    summary.json     method and settings, status, steps, wall_seconds, evaluations, energy at both "
+    "ends,\n"
+    "                     what each contact dissipated by which effect, and what the balance lacks\n"
+    "[m], [s], [rad], [J]; theta is the inclination, z_s the height of the centre of mass, a gap the "
+    "distance "
+    "of a\n"
+    "contact from the floor, omega the angular velocity and axis the axis of symmetry in the floor's axes.\n";
+
+constexpr const char* examples =
+    "Methods:\n"
+    "  event_driven      adaptive, high order, every event located: the reference (tolerance)\n"
+    "  rk4               fourth order, events located (step)\n"
+    "  moreau            time-stepping, second order in smooth phases (step)\n"
+    "  moreau_adaptive   the same with automatic step size (tolerance)\n"
+    "  moreau_implicit   fully implicit time-stepping, first order (step)\n"
+    "  moreau_printed, rk4_printed   Tables 1 and 2 of LG03 to the letter (step)\n\n"
+    "Examples:\n"
+    "  contensou simulate scenes/tippe_top.toml\n"
+    "  contensou simulate scenes/tippe_top.toml --set integrator.method=rk4 --set integrator.step=1e-4 --out "
+    "rk4\n"
+    "  contensou simulate scenes/tippe_top.toml --set contact.body.radius=1e-4 --quiet --out small_radius\n\n"
+    "Every key of the scene must be known and used, with one exception: step and tolerance may both stand, "
+    "and\n"
+    "summary.json says which was used. Exit status 1 where a run does not reach its end (a solver failed, a "
+    "scheme\n"
+    "became unstable): then what there is is written, and summary.json says how far it came.";
+
+struct SimulateOptions {
+  Command command;
+  std::optional<std::string> out;
+  bool quiet = false;
+};
+
+contensou::Scene read(const Command& command) {
+  try {
+    contensou::SceneDocument document = contensou::read_document(command.scene);
+    for (const std::string& key : command.unset) contensou::unset_value(document, key);
+    for (const std::string& assignment : command.set) contensou::set_value(document, assignment);
+    return contensou::read_scene(document);
+  } catch (const std::invalid_argument& error) {
+    throw BadInput(error.what());
+  }
+}
+
+/// Before a long run, not after it: whether the results can be written there. Makes nothing.
+void require_writable(const fs::path& folder) {
+  std::error_code error;
+  fs::path there = fs::absolute(folder, error);
+  while (!fs::exists(fs::symlink_status(there, error)) && there != there.parent_path())
+    there = there.parent_path();
+  if (folder.empty() || !fs::is_directory(there, error) || access(there.c_str(), W_OK | X_OK) != 0) {
+    throw BadInput("--out: " + contensou::in_quotes(folder.string()) +
+                   " cannot be written; expected the name of a folder, there or not, to write into");
+  }
+}
+
+contensou::Outcome run_with_progress(contensou::Simulation& simulation, bool quiet) {
+  if (quiet || isatty(STDERR_FILENO) == 0) return contensou::run(simulation);
+  contensou::Progress progress(std::cerr, simulation.state.t, simulation.t_end);
+  const auto begin = std::chrono::steady_clock::now();
+  return contensou::run(simulation, [&](double t) {
+    progress.show(t, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+  });
+}
+
+/// Holds back the signals that would end the program between two files; they act when this is gone.
+class SignalsHeld {
+ public:
+  SignalsHeld() {
+    sigset_t held;
+    sigemptyset(&held);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&held, signal);
+    sigprocmask(SIG_BLOCK, &held, &before_);
+  }
+  ~SignalsHeld() { sigprocmask(SIG_SETMASK, &before_, nullptr); }
+  SignalsHeld(const SignalsHeld&) = delete;
+  SignalsHeld& operator=(const SignalsHeld&) = delete;
+
+ private:
+  sigset_t before_;
+};
+
+void write(const fs::path& folder, const Command& command, const contensou::Scene& scene,
+           const contensou::Outcome& outcome) {
+  const std::string made_by = "# contensou simulate " + contensou::printable(command.scene) + ", method " +
+                              name(scene.integrator.method) +
+                              ", version " CONTENSOU_VERSION "; see summary.json\n";
+  const std::string trajectory =
+      made_by + "# units: s, rad, m, J, rad/s; vectors in the floor's axes, z up\n" + outcome.trajectory;
+  const std::string events = made_by + "# units: s\n" + outcome.events;
+  const std::string json = summary(command, scene, outcome);
+  const SignalsHeld held;
+  contensou::write_files({{folder / "trajectory.tsv", trajectory},
+                          {folder / "events.tsv", events},
+                          {folder / "summary.json", json}});
+}
+
+void run(const SimulateOptions& options) {
+  const Command& command = options.command;
+  const contensou::Scene scene = read(command);
+  const fs::path folder = options.out ? fs::path(*options.out) : fs::path(command.scene).stem();
+  require_writable(folder);
+
+  contensou::Simulation simulation = compose(scene);
+  const contensou::Outcome outcome = run_with_progress(simulation, options.quiet);
+  write(folder, command, scene, outcome);
+
+  const contensou::RunReport& report = outcome.report;
+  const std::string place = contensou::printable(folder.string());
+  if (report.status != contensou::RunStatus::finished) {
+    throw std::runtime_error(std::string(name(report.status)) + " at t = " + contensou::to_text(outcome.t) +
+                             " of " + contensou::to_text(scene.duration) + " s" +
+                             (report.message.empty() ? "" : ": " + report.message) +
+                             "; what was computed is in " + place);
+  }
+  if (options.quiet) return;
+  deliver(contensou::to_text(outcome.t) + " s of motion in " + contensou::to_text(outcome.wall_seconds) +
+              " s: trajectory.tsv, events.tsv, summary.json in " + place + '\n',
+          std::nullopt);
+}
+
+}  // namespace
+
+void add_simulate(CLI::App& program) {
+  CLI::App* simulate = program.add_subcommand("simulate", description);
+
+  const auto options = std::make_shared<SimulateOptions>();
+  simulate->add_option("SCENE", options->command.scene, "The scene, a TOML file")
+      ->required()
+      ->option_text(" ");
+  simulate
+      ->add_option(
+          "--set", options->command.set,
+          "Put VALUE, in TOML, in the place of a key of the scene\n(a word needs no quotes); as often "
+          "as needed, the last one\ncounts")
+      ->allow_extra_args(false)
+      ->option_text("KEY=VALUE");
+  simulate
+      ->add_option("--unset", options->command.unset,
+                   "Remove a key of the scene, or a whole table; before all\n--set")
+      ->allow_extra_args(false)
+      ->option_text("KEY");
+  simulate
+      ->add_option("--out", options->out,
+                   "The folder to write into, instead of one named after the\nscene in the current folder")
+      ->option_text("DIR");
+  simulate->add_flag("--quiet", options->quiet, "No progress, no closing line");
+  std::string keys = "Keys of a scene:\n";
+  std::istringstream lines(contensou::scene_help());
+  for (std::string line; std::getline(lines, line);) keys += "  " + line + '\n';
+  simulate->footer(keys + '\n' + examples);
+  simulate->callback([options] { run(*options); });
+}
+
+}  // namespace cli

@@ -1,0 +1,88 @@
+#include "summary.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using namespace contensou;
+
+/// The settings that the method used, and no others.
+Json settings(const IntegratorOptions& options) {
+  Json json;
+  if (has_fixed_step(options.method)) {
+    json["step"] = options.step;
+  } else {
+    json["tolerance"] = options.tolerance;
+  }
+  if (options.method == Method::moreau_adaptive) json["first_step"] = options.step;
+  json["solver_tolerance"] = options.solver_tolerance;
+  if (options.r) json["r"] = *options.r;
+  return json;
+}
+
+Json contact_settings(const ContactScene& contact) {
+  Json json{{"law", name(contact.law)}, {"rows", contact.rows()}};
+  if (contact.law == ContactLaw::contensou) {
+    json["pressure"] = contact.pressure;
+    json["model"] = contact.model;
+    json["radius"] = contact.radius;
+  }
+  if (contact.law != ContactLaw::frictionless) json["mu"] = contact.mu;
+  json["restitution"] = contact.restitution;
+  json["effects"] = effects(contact);
+  return json;
+}
+
+Json dissipated(const Scene& scene, const RunReport& report) {
+  Json json = Json::object();
+  for (std::size_t i = 0; i < report.dissipated.size(); ++i) {
+    const Dissipation& by = report.dissipated[i];
+    json[scene.top.contacts[i].name] = {
+        {"sliding", by.sliding}, {"drilling", by.drilling}, {"impact", by.impact}};
+  }
+  return json;
+}
+
+}  // namespace
+
+std::string summary(const Command& command, const Scene& scene, const Outcome& outcome) {
+  const RunReport& report = outcome.report;
+  Json contacts;
+  for (const ContactScene& contact : scene.top.contacts) contacts[contact.name] = contact_settings(contact);
+  const Json json{
+      {"scene", scene.name},
+      {"file", command.scene},
+      {"set", command.set},
+      {"unset", command.unset},
+      {"version", CONTENSOU_VERSION},
+      {"method", name(scene.integrator.method)},
+      {"settings", settings(scene.integrator)},
+      {"formulation", scene.top.formulation == TippeTopScene::Formulation::euler ? "euler" : "axis"},
+      {"effects", effects(scene)},
+      {"contacts", contacts},
+      {"status", name(report.status)},
+      {"message", report.message},
+      {"t", outcome.t},
+      {"duration", scene.duration},
+      {"wall_seconds", outcome.wall_seconds},
+      {"steps", report.steps},
+      {"rejected", report.rejected},
+      {"evaluations", report.evaluations},
+      {"contact_problems", report.contact_problems},
+      {"iterations", report.contact_iterations},
+      {"worst_residual", report.worst_residual},
+      {"events", report.events.size()},
+      {"energy_initial", outcome.energy.initial},
+      {"energy_final", outcome.energy.final},
+      {"dissipated", dissipated(scene, report)},
+      {"energy_balance",
+       {{"dissipated", outcome.energy.dissipated},
+        {"imbalance", outcome.energy.imbalance()},
+        {"relative", outcome.energy.relative()}}}};
+  constexpr int indent = 2;
+  return json.dump(indent, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace cli
