@@ -8,6 +8,7 @@
 #include <fstream>
 #include <optional>
 #include <sstream>
+#include <utility>
 
 #include "contensou/text/number.hpp"
 #include "contensou/text/quoted.hpp"
@@ -179,7 +180,9 @@ void set_value(SceneDocument& document, std::string_view assignment) {
   } else if (const toml::table* table = node->as_table(); table != nullptr && !table->empty()) {
     flatten(*table, key + '.', 1, false, document);
   } else {
-    document.values[key] = plain(*node, 0);
+    SceneValue value = plain(*node, 0);
+    if (!node->is_string()) value.text = shortened(text);  // as it was typed
+    document.values[key] = std::move(value);
   }
 }
 
