@@ -4,10 +4,12 @@
 
 #include <chrono>
 #include <csignal>
+#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -149,7 +151,9 @@ void run(const SimulateOptions& options) {
                              "; what was computed is in " + place);
   }
   if (options.quiet) return;
-  deliver(contensou::to_text(outcome.t) + " s of motion in " + contensou::to_text(outcome.wall_seconds) +
+  char seconds[32];
+  std::snprintf(seconds, sizeof seconds, "%.3g", outcome.wall_seconds);
+  deliver(contensou::to_text(outcome.t) + " s of motion in " + seconds +
               " s: trajectory.tsv, events.tsv, summary.json in " + place + '\n',
           std::nullopt);
 }
