@@ -53,8 +53,8 @@ constexpr const char* examples =
     "  moreau_printed, rk4_printed   Tables 1 and 2 of LG03 to the letter (step)\n\n"
     "Examples:\n"
     "  contensou simulate scenes/tippe_top.toml\n"
-    "  contensou simulate scenes/tippe_top.toml --set integrator.method=rk4 --set integrator.step=1e-4 --out "
-    "rk4\n"
+    "  contensou simulate scenes/tippe_top.toml --set integrator.method=moreau --set integrator.step=1e-4 "
+    "--out moreau\n"
     "  contensou simulate scenes/tippe_top.toml --set contact.body.radius=1e-4 --quiet --out small_radius\n\n"
     "Every key of the scene must be known and used, with one exception: step and tolerance may both stand, "
     "and\n"
@@ -150,6 +150,8 @@ void run(const SimulateOptions& options) {
                              (report.message.empty() ? "" : ": " + report.message) +
                              "; what was computed is in " + place);
   }
+  if (!report.message.empty())
+    std::cerr << "contensou simulate: " << contensou::printable(report.message) << '\n';
   if (options.quiet) return;
   char seconds[32];
   std::snprintf(seconds, sizeof seconds, "%.3g", outcome.wall_seconds);

@@ -3,7 +3,7 @@
 
 run --help
 succeeds
-for word in 'Usage: contensou' law project --version 'Leine' 'Exit status'; do
+for word in 'Usage: contensou' law project simulate --version 'Leine' 'Exit status'; do
   check "'$word' is missing" grep -qF -e "$word" "$folder/out"
 done
 
@@ -21,9 +21,18 @@ for word in 'Usage: contensou project' --pressure --model --out uniform hertz po
   check "'$word' is missing" grep -qF -e "$word" "$folder/out"
 done
 
+run simulate --help
+succeeds
+for word in 'Usage: contensou simulate' SCENE --set --unset --out --quiet trajectory.tsv events.tsv summary.json event_driven \
+  rk4_printed frictionless coulomb contensou hertz ellipsoid restitution '[integrator]' tolerance step 'Exit status' Examples; do
+  check "'$word' is missing" grep -qF -e "$word" "$folder/out"
+done
+
 # The examples of the help do what they are there for.
+scenes=$(cd "$(dirname "$0")/../../scenes" && pwd)
 cd "$folder" || exit 1
-for subcommand in law project; do
+ln -s "$scenes" scenes
+for subcommand in law project simulate; do
   run "$subcommand" --help
   # Help is for reading: no line is longer than 120 characters.
   check "a line is too long" awk 'length($0) > 120 { exit 1 }' out
@@ -36,6 +45,7 @@ for subcommand in law project; do
 done
 check "the example with --out made no file" [ -s law.tsv ]
 check "the example with --out made no file" [ -s points.tsv ]
+check "the example with --out made no folder" [ -s small_radius/summary.json ]
 
 run --version
 succeeds
