@@ -1,7 +1,6 @@
 // The claims ledger: each row of section2.cpp, section3.cpp, friction_ball.cpp, section4.cpp,
-// augmented_lagrangian.cpp, section4_2.cpp, section5_system.cpp, section5_data.cpp, appendix_a.cpp and
-// sentences.cpp is computed and judged.   verify_ledger [--out
-// FOLDER]
+// augmented_lagrangian.cpp, section4_2.cpp, section5_system.cpp, section5_data.cpp, section5_stability.cpp,
+// appendix_a.cpp and sentences.cpp is computed and judged.   verify_ledger [--out FOLDER]
 
 #include <cstdio>
 #include <filesystem>
@@ -83,7 +82,7 @@ void require_all_equations(const std::set<std::string>& seen) {
   require("2", 21);
   require("3", 22);
   require("4", 20);
-  require("5", 21);
+  require("5", 37);
   require("A", 5);
 }
 
@@ -91,8 +90,9 @@ int run(const std::filesystem::path& folder) {
   Record record("ledger");
   std::set<std::string> places;
   std::set<std::string> ids;
-  for (const auto& part : {section2(), section3(), friction_ball(), section4(), section4_2(),
-                           section5_system(), section5_data(), appendix_a(), sentences()}) {
+  for (const auto& part :
+       {section2(), section3(), friction_ball(), section4(), section4_2(), section5_system(), section5_data(),
+        section5_stability(), appendix_a(), sentences()}) {
     for (const Row& row : part) {
       if (!ids.insert(row.id).second) throw std::logic_error("ledger: two rows are called " + row.id);
       places.insert(row.where);

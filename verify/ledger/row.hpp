@@ -51,8 +51,9 @@ std::vector<Row> friction_ball();         ///< the sets of Sections 2 and 3
 std::vector<Row> section4();              ///< 4.1
 std::vector<Row> augmented_lagrangian();  ///< of it (4.10) to (4.17)
 std::vector<Row> section4_2();
-std::vector<Row> section5_system();  ///< 5.1 to 5.3
-std::vector<Row> section5_data();    ///< the data of 5.4
+std::vector<Row> section5_system();     ///< 5.1 to 5.3
+std::vector<Row> section5_data();       ///< the data of 5.4
+std::vector<Row> section5_stability();  ///< 5.5
 std::vector<Row> appendix_a();
 std::vector<Row> sentences();
 
