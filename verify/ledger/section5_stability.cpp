@@ -713,10 +713,10 @@ std::vector<Row> section5_stability() {
       {"5.22.drilling", "(5.22), the drilling torque", "I_3γ̈ is of order η², the spin constant",
        Flaw::imprecise, "I_3γ̈ = −η(0)μλ_N R sgn γ̇ + O(η²), η(0) = 3π/16 (Hertz)",
        "With Contensou's law there is a torque where there is spin. It slows the top and has a part across "
-       "the "
-       "inclined axis, both of the order of R like the real parts of the eigenvalues. The growing mode at "
-       "180 rad/s "
-       "hardly notices; the slow ones change sign: see the claims stability.growth and stability.points.",
+       "the inclined axis, both of the order of R like the real parts of the eigenvalues. The nutation that "
+       "inverts the top at 180 rad/s hardly notices; precession does, and slow tops: below ω_k the "
+       "inclination on the body goes like a negative power of the dying spin, for all R. See the claims "
+       "stability.growth, stability.drilling and stability.points.",
        left_out_torque},
       {"5.22.height", "5.5, h", "h = −a + r defines the maximal height of S", Flaw::imprecise,
        "the height of S in the position: the largest on the tip, the smallest on the body", "",
@@ -757,15 +757,15 @@ std::vector<Row> section5_stability() {
        Flaw::none, "", "", paper_positions},
       {"5.5.radius", "5.5, below Region IV",
        "the stability regions do not depend on ε, and therefore not on R", Flaw::none, "",
-       "Of (5.31); nor do they with drilling torque for small R, but they are others then.",
+       "Of (5.31). With drilling torque they do not depend on small R either, but are others: see (5.22).",
        independent_of_radius},
       {"5.36", "(5.36)", "(I_1 + mh²)λ² − i(I_3 + mhr)ω_0λ + amg = 0 for R → 0", Flaw::none, "",
        "The third root goes to −∞ like 1/R.", vanishing_radius},
       {"5.37", "(5.37)", "λ = i(B/2A ± √(B²/4A² + C/A))", Flaw::none, "", "", rolling_roots},
       {"5.37.imaginary", "5.5, below (5.37)", "for a > 0 always purely imaginary", Flaw::none, "", "",
        purely_imaginary},
-      {"5.37.small", "5.5, below (5.37), small R", "the real parts are very small for small R", Flaw::none, "", "",
-       small_real_part},
+      {"5.37.small", "5.5, below (5.37), small R", "the real parts are very small for small R", Flaw::none,
+       "", "", small_real_part},
       {"5.5.slower", "5.5, on Fig. 12",
        "decreasing R decreases the magnitude of the real part of the eigenvalues", Flaw::imprecise,
        "it does for small R: below about 2e-4 m at 180 rad/s",

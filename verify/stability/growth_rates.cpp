@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "checks.hpp"
@@ -64,6 +65,62 @@ void fastest(Record& record) {
   record.add(Claim{"stability.radius.below", "LG03 5.5, on Fig. 12",
                    "below the radius of fastest growth it does: largest ratio of real parts at 0.8 R and R",
                    1, below.value(), below.value(), 1, true});
+}
+
+/// Growth of the fastest growing mode with drilling torque.
+double fastest_rate(const Setting& s, double spin) {
+  double rate = -std::numeric_limits<double>::infinity();
+  for (const SlowMode& mode : slow_modes(s, spin)) rate = std::max(rate, mode.rate);
+  return rate;
+}
+
+void critical_spins_with_drilling(Record& record) {
+  // On the body, below the critical spin of 21.7 rad/s.
+  int cases = 0, grow = 0;
+  double rate_at_20 = 0;
+  for (const double radius : {1e-4, 5e-4}) {
+    for (const double spin : {10.0, 15.0, 20.0}) {
+      Setting s = paper_top(0);
+      s.radius = radius;
+      auto all = slow_modes(s, spin);
+      const auto leading = std::max_element(
+          all.begin(), all.end(), [](const SlowMode& a, const SlowMode& b) { return a.rate < b.rate; });
+      const Growth g = growth(s, spin, *leading);
+      ++cases;
+      grow += g.rate > 0;
+      rate_at_20 = g.rate;
+    }
+  }
+  record.add(Claim{"stability.drilling.trivial", "LG03 5.5, Region IV",
+                   "below the critical spin the inclination on the body decays: simulations of " +
+                       std::to_string(cases) +
+                       " with drilling torque in which it grows; growth at 20 rad/s, R = 5e-4 m: " +
+                       contensou::to_text(std::round(rate_at_20 * 1e4) / 1e4) + " 1/s",
+                   0, static_cast<double>(grow), static_cast<double>(grow), 0, false});
+  // On the tip, between where rolling itself is unstable, (5.37), and where all decays.
+  const auto crossing = [](double radius) {
+    Setting s = paper_top(1);
+    s.radius = radius;
+    double low = 87, high = 150;
+    if (!(fastest_rate(s, low) > 0) || !(fastest_rate(s, high) < 0)) return std::nan("");
+    for (int k = 0; k < 30; ++k) {
+      const double middle = (low + high) / 2;
+      (fastest_rate(s, middle) > 0 ? low : high) = middle;
+    }
+    return low;
+  };
+  const double small = crossing(1e-5), larger = crossing(1e-4);
+  const double without = contensou::critical_spin(position(paper_top(1))).value();
+  // Rates are R(c + O(R)) with changes by R/R' where the rate has its largest value, R' of about 2e-4 m or
+  // more.
+  record.add(
+      Claim{"stability.drilling.critical", "LG03 5.5, with the drilling torque",
+            "for small R the spin at which the inclination on the tip begins to grow does not depend on R: "
+            "1e-5 and 1e-4 m [rad/s]",
+            small, larger, std::abs(larger / small - 1), 0.05, true});
+  record.add(Claim{"stability.drilling.critical.printed", "LG03 (5.35)",
+                   "it is that of (5.35), within a hundredth [rad/s]", without, small,
+                   std::abs(small / without - 1), 0.01, false});
 }
 
 }  // namespace
@@ -136,6 +193,7 @@ void check_growth(const std::filesystem::path& folder, Record& record) {
                    "the contact stays closed, simulations reach their end: least lambda_N/(mg)", 1,
                    least_normal, finished ? 1 - least_normal : 1, 1e-3, true});
   fastest(record);
+  critical_spins_with_drilling(record);
 }
 
 }  // namespace verify::stability

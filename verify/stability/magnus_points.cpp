@@ -53,10 +53,11 @@ void check_points(const std::filesystem::path& folder, Record& record) {
        "drilling torque left out as in (5.22); grows if > 10, decays if < 1/10.",
        "rate_drilling: growth of ln(theta) [1/s] with the drilling torque while the spin loses 1 % at most, "
        "in the "
-       "mode that then grows fastest; does_drilling: its sign. agrees: simulated as said, without and with "
+       "mode that then grows fastest; power: theta then goes like spin^-power; does_drilling: its sign. "
+       "agrees: simulated as said, without and with "
        "drilling torque."},
       {"top", "h_over_r", "i3_over_i1", "region", "spin_over", "spin", "radius", "says", "theta_ratio",
-       "does", "rate_drilling", "does_drilling", "agrees", "agrees_drilling"},
+       "does", "rate_drilling", "power", "does_drilling", "agrees", "agrees_drilling"},
       {}};
   int cases = 0, wrong = 0, wrong_drilling = 0, unfinished = 0;
   for (const Point& p : points()) {
@@ -86,7 +87,8 @@ void check_points(const std::filesystem::path& folder, Record& record) {
       wrong += does != says;
       wrong_drilling += does_drilling != says;
       unfinished += !f.watch.finished || !g.watch.finished;
-      table.add({p.top, x, y, p.region, over, spin, s.radius, says, f.ratio, does, g.rate, does_drilling,
+      table.add({p.top, x, y, p.region, over, spin, s.radius, says, f.ratio, does, g.rate,
+                 g.rate * spin / std::abs(spin_rate(s, spin)), does_drilling,
                  std::string(does == says ? "1" : "0"), std::string(does_drilling == says ? "1" : "0")});
     }
   }
