@@ -18,7 +18,10 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double closed_gap = 1e-12;      ///< gaps of this size are closed at the start
 constexpr double armed_gap = 1e-13;       ///< an open contact has risen: ten thousand roundings of a height
 constexpr double approach_speed = 1e-11;  ///< beside the rounding of γ_N, 1e-16, and below all that matters
-constexpr double slip_at_rest = 1e-11;    ///< likewise
+constexpr double slip_at_rest = 1e-11;    ///< likewise, and ...
+/// ... times the tolerance: slip so slow that steps through zero pass the error control, which then no longer
+/// sees that friction jumps there.
+constexpr double slip_unresolved = 50;
 constexpr double overshoot = 1e-10;       ///< of λ_N and of the friction limit: events are just past zero
 /// Bounces shorter than this are summed: five times as long as one of the height `armed_gap` ...
 constexpr double short_bounce = 5e-6;
@@ -62,7 +65,9 @@ HybridRun::HybridRun(const MechanicalSystem& system, State& state, double t_end,
   for (Eigen::VectorXd* v : {&y_, &rate_, &scale_, &between_, &between_rate_})
     v->setZero(dynamics_.size());
   report_.dissipated.assign(count, {});
-  tolerances_ = {approach_speed * scales_.speed, slip_at_rest * scales_.speed, scales_.length};
+  const double unresolved = choice_ == StepChoice::adaptive ? slip_unresolved * options_.tolerance : 0;
+  tolerances_ = {approach_speed * scales_.speed, std::max(slip_at_rest, unresolved) * scales_.speed,
+                 scales_.length};
 }
 
 RunReport HybridRun::run() {
