@@ -149,6 +149,41 @@ TEST_CASE("Moreau: bounces, of order two and one, come to an end", "[integrate][
   CHECK(report.dissipated[0].impact == Approx(Slab::m * Slab::g).epsilon(1e-3));
 }
 
+TEST_CASE("Moreau: an approach on the floor is an impact at once", "[integrate][moreau]") {
+  for (const double restitution : {0.0, 0.5}) {
+    const Slab slab({"floor", frictionless, 0, 0, restitution});
+    for (const Method method : {second, implicit}) {
+      RunReport report;
+      const double h = 1e-3;
+      const State end = end_of(slab, Slab::at(0, {0, 0, -4, 0}), h, method, h, &report);
+      CHECK(end.u[2] == Approx(restitution == 0 ? 0 : 2 - Slab::g * h).margin(1e-15));
+      REQUIRE(!report.events.empty());
+      CHECK(report.events[0].kind == EventKind::close);
+      CHECK(report.events[0].t == 0);
+      // ½m(v² − ε²v²).
+      CHECK(report.dissipated[0].impact == Approx(16 * (1 - restitution * restitution)).epsilon(1e-14));
+    }
+  }
+}
+
+TEST_CASE("Moreau: what is shown inside a step does not cut the floor", "[integrate][moreau]") {
+  const Slab slab({"floor", frictionless, 0, 0, 0.5});
+  State state = Slab::at(1, {0, 0, 0, 0});
+  IntegratorOptions options;
+  options.method = second;
+  options.step = 1e-2;
+  options.output_interval = 1e-3;
+  const double v = std::sqrt(2 * Slab::g);
+  const RunReport report = integrate(slab, state, 0.9 * 2 * v / Slab::g, options, [&](const Sample& s) {
+    const State exact = bouncing_ball(1, 0.5, s.t);
+    // Linear in the step of the landing, ⅛gΔt² off, and times of landing by ⅛gΔt²/v: less than gΔt² in all.
+    CAPTURE(s.t);
+    CHECK(s.q[2] > -Slab::g * 1e-4);
+    CHECK(std::abs(s.q[2] - exact.q[2]) < Slab::g * 1e-4);
+  });
+  CHECK(report.status == RunStatus::finished);
+}
+
 TEST_CASE("Moreau: nothing creeps, nothing rings", "[integrate][moreau]") {
   const Slab block({"floor", disk, 0.5}, [](double) { return Eigen::Vector4d(5, 0, 0, 0); });
   const Slab free({"floor", disk, 0.5});

@@ -13,7 +13,26 @@ constexpr auto printed = Method::rk4_printed;
 const AnyFriction frictionless{NoFriction{}};
 const AnyFriction disk{FrictionDisk{}};
 
+/// Slowed down by its velocity alone, −1/s.
+class Dragged final : public Slab {
+ public:
+  using Slab::Slab;
+  void force(double, ConstVector, ConstVector u, VectorRef h) const override {
+    h = -u.cwiseProduct(Eigen::Vector4d(m, m, m, j));
+  }
+};
+
 }  // namespace
+
+TEST_CASE("Table 2: fourth order where accelerations depend on velocities alone", "[integrate][printed]") {
+  const Dragged dragged({"floor", frictionless});
+  const auto error = [&](double h) {
+    return std::abs(end_of(dragged, Slab::at(1, {1, 0, 0, 0}), 1, printed, h).q[0] - (1 - std::exp(-1)));
+  };
+  const double order = std::log2(error(0.1) / error(0.05));
+  CHECK(order > 3.8);
+  CHECK(order < 4.2);
+}
 
 TEST_CASE("Table 2: first order in free flight and in slip, not fourth", "[integrate][printed]") {
   const TippeTopAxis top = paper_top();

@@ -25,7 +25,7 @@ using contensou::VectorRef;
 
 /// A body that cannot tilt, over the floor z = 0: q = (x, y, z, ψ), u = q̇, mass 2 kg, moment of inertia 0.5
 /// kg m², gravity 10 m/s², and a push on it. Its contact `floor` has the rows of its friction.
-class Slab final : public contensou::MechanicalSystem {
+class Slab : public contensou::MechanicalSystem {
  public:
   static constexpr double m = 2, j = 0.5, g = 10;
   /// (F_x, F_y, F_z, torque) at time t.

@@ -27,8 +27,8 @@ ImplicitStage::ImplicitStage(const MechanicalSystem& system, const IntegratorOpt
       force_(system.contacts().size(), Eigen::Vector4d::Zero()),
       free_(system.velocities()),
       rates_(system.coordinates()),
-      before_(system.velocities()),
-      change_(system.velocities()) {
+      u_before_(system.velocities()),
+      u_change_(system.velocities()) {
   system.coordinate_scales(scale_);
 }
 
@@ -43,31 +43,31 @@ ImplicitStage::Outcome ImplicitStage::solve(const Base& base, Eigen::VectorXd& q
   const auto& chosen = contacts_.chosen();
   for (std::size_t k = 0; k < chosen.size(); ++k)
     impulse_.segment(contacts_.row(k), contacts_.rows(k)) =
-        base.w_u * force_[chosen[k]].head(contacts_.rows(k));
+        base.w * force_[chosen[k]].head(contacts_.rows(k));
   system_.coordinate_rates(base.q, u, rates_);
-  q = base.q + base.w_q * rates_;
+  q = base.q + base.w * rates_;
   for (int round = 0; round < most_rounds; ++round) {
-    before_ = u;
-    system_.free_acceleration(base.t, q, before_, free_);
+    u_before_ = u;
+    system_.free_acceleration(base.t, q, u_before_, free_);
     ++report_.evaluations;
-    u = base.u + base.w_u * free_;
+    u = base.u + base.w * free_;
     if (!chosen.empty()) {
       const Outcome outcome = solve_inclusion(base.t, q, u);
       if (outcome == Outcome::not_finite && round > 0) return Outcome::no_convergence;
       if (outcome != Outcome::solved) return outcome;
     }
     system_.coordinate_rates(q, u, rates_);
-    q = base.q + base.w_q * rates_;
+    q_change_ = base.q + base.w * rates_ - q;
+    q += q_change_;
     // The first round has the system's numbers; later ones may have run away.
     if (!q.allFinite() || !u.allFinite()) return round > 0 ? Outcome::no_convergence : Outcome::not_finite;
-    change_ = u - before_;
-    system_.coordinate_rates(q, change_, rates_);
-    if (!settled(round, base.w_u)) continue;
+    u_change_ = u - u_before_;
+    if (!settled(round)) continue;
     contacts_.velocity(u, gamma_);
     if (!chosen.empty()) report_.worst_residual = std::max(report_.worst_residual, residual_);
     for (std::size_t k = 0; k < chosen.size(); ++k)
       force_[chosen[k]].head(contacts_.rows(k)) =
-          impulse_.segment(contacts_.row(k), contacts_.rows(k)) / base.w_u;
+          impulse_.segment(contacts_.row(k), contacts_.rows(k)) / base.w;
     return Outcome::solved;
   }
   return Outcome::no_convergence;
@@ -104,16 +104,17 @@ ImplicitStage::Outcome ImplicitStage::solve_inclusion(double t, const Eigen::Vec
   return Outcome::solved;
 }
 
-/// Whether the round changed nothing any more; rates_: by the change of u.
-bool ImplicitStage::settled(int round, double w_u) {
-  const double largest = before_.lpNorm<Eigen::Infinity>();
-  const double of_q = w_u * rates_.cwiseQuotient(scale_).lpNorm<Eigen::Infinity>();
-  const double of_u = largest > 0 ? change_.lpNorm<Eigen::Infinity>() / largest
-                                  : (change_.isZero(0) ? 0 : std::numeric_limits<double>::infinity());
+/// Whether the next round will change nothing, shrinking as this one did.
+bool ImplicitStage::settled(int round) {
+  const double largest = u_before_.lpNorm<Eigen::Infinity>();
+  const double of_q = q_change_.cwiseQuotient(scale_).lpNorm<Eigen::Infinity>();
+  const double of_u = largest > 0 ? u_change_.lpNorm<Eigen::Infinity>() / largest
+                                  : (u_change_.isZero(0) ? 0 : std::numeric_limits<double>::infinity());
   const double change = std::max(of_q, of_u);
   const bool stalls = round > 0 && change <= small && change > shrinks * last_change_;
+  const double next = round > 0 && change < last_change_ ? change * (change / last_change_) : change;
   last_change_ = change;
-  return change <= rounding || stalls;
+  return next <= rounding || stalls;
 }
 
 ContactMode ImplicitStage::mode(std::size_t k) const {

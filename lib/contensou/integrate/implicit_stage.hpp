@@ -12,20 +12,19 @@ namespace contensou {
 
 /// One stage of an implicit time-stepping scheme with contacts on velocity level: at time t, find q, u, Λ
 /// with
-///     q = q_base + w_q F(q)u,      u = u_base + w_u M(q)⁻¹h(t, q, u) + M(q)⁻¹W(q)Λ,
+///     q = q_base + w F(q)u,      u = u_base + w M(q)⁻¹h(t, q, u) + M(q)⁻¹W(q)Λ,
 ///     0 <= γ_N − shift ⊥ Λ_N >= 0,      −γ_F ∈ N_B(μΛ_N)(Λ_F),      γ = W(q)ᵀu + w̃(q),
-/// for the contacts chosen; Λ = w_u λ. A stage of backward Euler or of a diagonally implicit Runge–Kutta
+/// for the contacts chosen; Λ = wλ. A stage of backward Euler or of a diagonally implicit Runge–Kutta
 /// method.
 ///
 /// By fixed points: M, W and h at the last (q, u), the inclusion solved exactly, again. Contracts where
 /// w ‖∂(F u, M⁻¹h)/∂(q, u)‖ < 1; friction, however stiff, is in the inclusion and no matter. Ends where
-/// another round changes q and u by no more than rounding and the contact solver's tolerance.
+/// another round would change q and u by no more than rounding or the contact solver's tolerance.
 class ImplicitStage {
  public:
   struct Base {
-    double t;    ///< of the stage
-    double w_q;  ///< >= 0 [s]
-    double w_u;  ///< > 0 [s]
+    double t;  ///< of the stage
+    double w;  ///< > 0 [s]
     const Eigen::VectorXd& q;
     const Eigen::VectorXd& u;
   };
@@ -57,7 +56,7 @@ class ImplicitStage {
 
  private:
   Outcome solve_inclusion(double t, const Eigen::VectorXd& q, Eigen::VectorXd& u);
-  bool settled(int round, double w_u);
+  bool settled(int round);
 
   const MechanicalSystem& system_;
   RunReport& report_;
@@ -68,7 +67,7 @@ class ImplicitStage {
   Eigen::VectorXd shift_;
   std::vector<Eigen::Vector4d> force_;  ///< λ of each contact of the system: guesses
   Eigen::VectorXd impulse_, gamma_;
-  Eigen::VectorXd free_, rates_, before_, change_;
+  Eigen::VectorXd free_, rates_, q_change_, u_before_, u_change_;
   double last_change_ = 0;
   double residual_ = 0;   ///< of the last inclusion
   double uncertain_ = 0;  ///< velocity that counts as zero [m/s]

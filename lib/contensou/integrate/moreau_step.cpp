@@ -32,6 +32,8 @@ MoreauStep::MoreauStep(const MechanicalSystem& system, const IntegratorOptions& 
       dissipated_(system.contacts().size()),
       contact_(system.velocities()),
       acceleration_(Eigen::VectorXd::Zero(system.velocities())),
+      first_acceleration_(system.velocities()),
+      jerk_(Eigen::VectorXd::Zero(system.velocities())),
       rates_(system.coordinates()),
       rates_start_(system.coordinates()),
       rates_end_(system.coordinates()) {
@@ -76,6 +78,7 @@ MoreauStep::Outcome MoreauStep::fly(double t, const ContactState& start, double 
   const Outcome outcome = euler(t, start, dt);
   if (outcome != Outcome::solved) return outcome;
   acceleration_ = (end_.u - start.u) / dt;
+  jerk_.setZero();
   add_impulses(start.u, false);
   return outcome;
 }
@@ -83,8 +86,8 @@ MoreauStep::Outcome MoreauStep::fly(double t, const ContactState& start, double 
 /// u₁ = u + γΔt a₁; u_E = u + (1 − γ)Δt a₁ + γΔt a₂, and so for q.
 MoreauStep::Outcome MoreauStep::second_order(double t, const ContactState& start, double dt) {
   const double w = diagonal * dt;
-  u1_ = start.u + w * acceleration_;
-  Outcome outcome = stage_.solve({t + w, w, w, start.q, start.u}, q1_, u1_);
+  u1_ = start.u + w * (acceleration_ + w * jerk_);
+  Outcome outcome = stage_.solve({t + w, w, start.q, start.u}, q1_, u1_);
   if (outcome != Outcome::solved) return outcome;
   read_modes();
   smooth_ = end_.modes == start.modes;
@@ -92,19 +95,22 @@ MoreauStep::Outcome MoreauStep::second_order(double t, const ContactState& start
 
   q_base_ = start.q + carried * (q1_ - start.q);
   u_base_ = start.u + carried * (u1_ - start.u);
-  end_.u = u_base_ + (u1_ - start.u);
-  outcome = stage_.solve({t + dt, w, w, q_base_, u_base_}, end_.q, end_.u);
+  // Guess: a₂ from a at the start and a₁, on a line.
+  first_acceleration_ = (u1_ - start.u) / w;
+  end_.u = u_base_ + w * (first_acceleration_ + carried * (first_acceleration_ - acceleration_));
+  outcome = stage_.solve({t + dt, w, q_base_, u_base_}, end_.q, end_.u);
   if (outcome != Outcome::solved) return outcome;
   read_modes();
   smooth_ = smooth_ && end_.modes == start.modes;
   add_power(1);
   acceleration_ = (end_.u - u_base_) / w;
+  jerk_ = (acceleration_ - first_acceleration_) / (dt - w);
   return outcome;
 }
 
 MoreauStep::Outcome MoreauStep::euler(double t, const ContactState& start, double dt) {
   end_.u = start.u + dt * acceleration_;
-  const Outcome outcome = stage_.solve({t + dt, dt, dt, start.q, start.u}, end_.q, end_.u);
+  const Outcome outcome = stage_.solve({t + dt, dt, start.q, start.u}, end_.q, end_.u);
   if (outcome != Outcome::solved) return outcome;
   read_modes();
   smooth_ = end_.modes == start.modes;
@@ -177,7 +183,7 @@ MoreauStep::Outcome MoreauStep::land(double t, const ContactState& start, double
   end_.u = u_after_impact_;
   if (rest > 0) {
     end_.u += rest * acceleration_;
-    outcome = stage_.solve({t + dt, rest, rest, before_impact_.q, u_after_impact_}, end_.q, end_.u);
+    outcome = stage_.solve({t + dt, rest, before_impact_.q, u_after_impact_}, end_.q, end_.u);
     if (outcome != Outcome::solved) return outcome;
     add_impulses(u_after_impact_, true);
   }

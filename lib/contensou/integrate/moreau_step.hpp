@@ -79,7 +79,8 @@ class MoreauStep {
   Eigen::VectorXd u_after_impact_;
 
   ContactRows contact_;
-  Eigen::VectorXd acceleration_;  ///< of the last stage: a guess
+  // Guesses: of the last stage and the one before, and the change of one into the other.
+  Eigen::VectorXd acceleration_, first_acceleration_, jerk_;
   Eigen::VectorXd q1_, u1_, q_base_, u_base_, gamma_start_, rates_;
   Eigen::VectorXd q_start_, u_start_, rates_start_, rates_end_;
   double dt_ = 0;
