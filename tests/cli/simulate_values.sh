@@ -51,7 +51,7 @@ balance
 
 # Free flight with steady spin about its own axis: z = 10 - g t^2/2, theta = 0.1, omega stays. Trapezoid and Runge-Kutta
 # steps are exact for it, Euler's velocity is late by half a step, g t h/2. Rounding: 1e4 steps of 10 m * 2^-53: 1e-11.
-for case in 'event_driven 1e-11' 'rk4 1e-11' 'moreau 1e-11' 'rk4_printed 1e-11' 'moreau_printed 1e-11' 'moreau_implicit 5e-4'; do
+for case in 'event_driven 1e-11' 'rk4 1e-11' 'moreau 1e-11' 'moreau_adaptive 1e-11' 'rk4_printed 1e-11' 'moreau_printed 1e-11' 'moreau_implicit 5e-4'; do
   simulate --set integrator.method=${case% *} --set initial.z_s=10 --set scene.duration=1 --set output.interval=0.25
   near "z_s, ${case% *}," "$(column z_s | tail -n 1)" \
     "$(column t | tail -n 1 | awk '{ printf "%.17g", 10 - 9.81 / 2 * $1 * $1 }')" "${case#* }"
@@ -73,7 +73,7 @@ spin_down() { # METHOD OMEGA(2) OPTION...
   near "imbalance" "$(json imbalance)" 0 1e-11
 }
 omega() { awk -v a="$1" 'BEGIN { printf "%.17g", 180 - 2 * a * 0.3 * 6e-3 * 9.81 * 5e-4 / 7e-7 }'; }
-for method in event_driven rk4 moreau; do
+for method in event_driven rk4 moreau moreau_adaptive; do
   spin_down $method "$(omega 0.5890486225480862)"
   spin_down $method "$(omega 0.6666666666666667)" --set contact.body.pressure=uniform
 done
