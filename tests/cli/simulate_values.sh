@@ -36,7 +36,7 @@ for key in method steps wall_seconds evaluations status energy_initial energy_fi
 done
 check "status" [ "$(json status)" = '"finished"' ]
 check "method" [ "$(json method)" = '"event_driven"' ]
-check "the setting used" grep -q '"tolerance": 1e-09' o/summary.json
+check "the setting used" grep -q '"tolerance": 1e-10' o/summary.json
 check "the setting not used" [ -z "$(json step)" ]
 # At the start: E = I3 psi_dot^2/2 + m g (r1 - a1 cos theta), omega_z = psi_dot cos theta.
 near energy "$(column energy | head -n 1)" 0.012047202164495206 1e-17
@@ -48,6 +48,8 @@ balance() {
     /"(sliding|drilling|impact)":/ { sum += $2 } END { printf "%.17g", e0 - e1 - sum }' o/summary.json)" 1e-16
 }
 balance
+# What is promised of the shipped scene: the books close to 1e-9 of the energy at the start.
+near "relative imbalance" "$(json relative)" 0 1e-9
 
 # Free flight with steady spin about its own axis: z = 10 - g t^2/2, theta = 0.1, omega stays. Trapezoid and Runge-Kutta
 # steps are exact for it, Euler's velocity is late by half a step, g t h/2. Rounding: 1e4 steps of 10 m * 2^-53: 1e-11.
@@ -86,7 +88,7 @@ spin_down event_driven 180 --unset contact.body --set contact.body.law=frictionl
 check "the other contact keeps its friction" grep -q '"rows": 4' o/summary.json
 
 # Dropped 0.05 m with restitution 1/2: touches at t1 = sqrt(2 * 0.05/g), comes to rest at 3 t1, m g 0.05 is gone. Forty
-# impacts or so, each located to the tolerance of 1e-9.
+# impacts or so, each located to the tolerance of 1e-10; 1e-7 leaves room for all of their errors.
 simulate --set initial.theta=0 --set initial.psi_dot=0 --set initial.z_s=0.062 --set scene.duration=0.5 \
   --set contact.body.restitution=0.5
 near "first impact" "$(awk '$2 == "close" { print $1; exit }' o/events.tsv)" 0.1009637554692378 1e-8
@@ -95,13 +97,13 @@ near "dissipated by impacts" "$(json impact)" 0.002943 1e-9
 near "height at rest" "$(column z_s | tail -n 1)" 0.012 1e-12
 check "closed at the end" [ "$(column mode_body | tail -n 1)" != open ]
 
-# Both formulations of the attitude tell the same first touch of the stick, to what a tolerance of 1e-9 leaves after 1.4 s.
+# Both formulations of the attitude tell the same first touch of the stick, to what a tolerance of 1e-10 leaves after 1.4 s: eight digits.
 for formulation in axis euler; do
   simulate --set scene.formulation=$formulation --set scene.duration=2
   awk '$2 == "close" { print $1; exit }' o/events.tsv >$formulation
   check "formulation" [ "$(json formulation)" = "\"$formulation\"" ]
 done
-near "the touch of the stick" "$(cat euler)" "$(cat axis)" 1e-6
+near "the touch of the stick" "$(cat euler)" "$(cat axis)" 1e-8
 
 # --set and --unset: the last one counts, the file is not touched.
 cp "$scene" mine.toml
