@@ -59,7 +59,8 @@ contensou_run(verify_contact "Verification: how reliable the contact solvers are
 contensou_run(verify_consistency "Verification: energy, power and order of contacts on random problems"
   TABLES consistency parts/claims-consistency)
 contensou_run(verify_stability "Verification: stability of the spinning top"
-  TABLES stability_growth fig11_simulated parts/claims-stability)
+  TABLES stability_growth fig11_simulated parts/claims-stability
+  DRAWN_BY ${PROJECT_SOURCE_DIR}/verify/stability/stability_growth.gp DRAWINGS stability_growth)
 contensou_run(verify_siconos "Verification: against Siconos, points of contact and patches cut into points"
   OPTIONAL "Siconos is not installed"
   TABLES siconos_coulomb siconos_patch siconos_ball parts/claims-siconos

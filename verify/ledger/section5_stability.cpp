@@ -715,7 +715,8 @@ std::vector<Row> section5_stability() {
        "With Contensou's law there is a torque where there is spin. It slows the top and has a part across "
        "the inclined axis, both of the order of R like the real parts of the eigenvalues. The nutation that "
        "inverts the top at 180 rad/s hardly notices; precession does, and slow tops: below ω_k the "
-       "inclination on the body goes like a negative power of the dying spin, for all R. See the claims "
+       "inclination on the body goes like a negative power of the dying spin, whatever the small R. See the "
+       "claims "
        "stability.growth, stability.drilling and stability.points.",
        left_out_torque},
       {"5.22.height", "5.5, h", "h = −a + r defines the maximal height of S", Flaw::imprecise,
