@@ -70,7 +70,7 @@ inline constexpr double most_steps = 1e12;
 /// floor included.
 Scene read_scene(const SceneDocument& document);
 
-/// The line that is the help of the keys above, one a line, for --help.
+/// The keys above, a table of them a paragraph, for --help.
 std::string scene_help();
 
 }  // namespace contensou
