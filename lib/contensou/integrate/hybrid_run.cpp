@@ -33,6 +33,7 @@ constexpr double stable = 2.0;
 constexpr double limited_by_stability = 3.5;
 /// An implicit step costs some four explicit ones.
 constexpr double worth_implicit = 12;
+constexpr int implicit_trial = 8;  ///< steps in which the implicit method may find its step size
 constexpr int longest_patience = 512;
 constexpr double share_of_time_to_rest = 0.7;
 constexpr int most_stalled = 200;
@@ -216,8 +217,13 @@ OdeStep& HybridRun::choose_stepper(double h) {
   if (choice_ == StepChoice::fixed) {
     use_implicit_ = h * relaxation_ > stable;
   } else if (!use_implicit_) {
-    limited_ = h * relaxation_ > limited_by_stability ? limited_ + 1 : 0;
-    if (limited_ >= patience_) use_implicit_ = true;
+    limited_ = std::max(0, limited_ + (h * relaxation_ > limited_by_stability ? 2 : -1));
+    if (limited_ >= 2 * patience_) {
+      use_implicit_ = true;
+      on_trial_ = implicit_trial;
+    }
+  } else if (on_trial_ > 0) {
+    --on_trial_;
   } else if (h * relaxation_ < worth_implicit) {
     use_implicit_ = false;
     limited_ = 0;

@@ -94,7 +94,8 @@ class HybridRun {
   double h_ = 0;           ///< proposed
   bool rejected_ = false;
   bool use_implicit_ = false;
-  int limited_ = 0;        ///< explicit steps in a row that stability limits
+  int limited_ = 0;        ///< by two for each explicit step that stability limits, less one for each other
+  int on_trial_ = 0;       ///< implicit steps before it is asked whether they pay
   int patience_ = 8;
   double relaxation_ = 0;  ///< at y_
   double time_to_rest_ = 0;
