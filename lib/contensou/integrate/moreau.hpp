@@ -30,7 +30,8 @@ namespace contensou {
 /// After each step, gaps of closed contacts are set to zero by changes of q along M⁻¹w_N: in smooth steps by
 /// O(Δt³), the drift of a constraint that is kept on velocity level.
 ///
-/// Order: 2 in free flight, slip, stick and rolling, and through impacts that are apart.
+/// Order: 2 in free flight, slip, stick and rolling, and through impacts that are apart; 1 in the time at which
+/// impacts that accumulate have ended.
 ///
 /// Dissipation is summed with the stages' laws and the method's weights, in steps of backward Euler as
 /// −Λ·½(γ⁻ + γ⁺), exact for the change of kinetic energy, and from a landing to its step's end all as impact.

@@ -20,6 +20,7 @@ namespace contensou {
 /// - a body that hits the floor with −v leaves it with +v/3, though ε_N = 0: a_m = 4v/Δt in the stages that
 ///   find it approaching in the floor, and these are the first and the fourth, or the second (where it is the
 ///   fourth alone, the body is in the floor with −v/3, and leaves it a step later with +v/3, seldom +v/9);
+///   However small Δt, what is dropped rises again to a ninth of its height: no convergence;
 /// - a body comes to rest at a height of the size gΔt² over the floor, where some of the stages touch it.
 /// Measured in tests/integrate/rk4_printed_test.cpp.
 ///
