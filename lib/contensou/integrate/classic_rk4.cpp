@@ -29,7 +29,7 @@ void ClassicRk4::interpolate(OdeSystem& /*system*/, double theta, Eigen::VectorX
   const double rest = 1 - theta;
   y = rest * start_ + theta * end_ +
       theta * rest *
-          (rest * h_ * k_[0] - theta * h_ * end_rate_ + (1 - 2 * theta) * (end_ - start_));
+          (rest * h_ * k_[0] - theta * h_ * end_rate_ - (1 - 2 * theta) * (end_ - start_));
 }
 
 }  // namespace contensou
