@@ -30,13 +30,13 @@ namespace contensou {
 /// After each step, gaps of closed contacts are set to zero by changes of q along M⁻¹w_N: in smooth steps by
 /// O(Δt³), the drift of a constraint that is kept on velocity level.
 ///
-/// Order: 2 in free flight, slip, stick and rolling, and through impacts that are apart; 1 in the time at which
-/// impacts that accumulate have ended.
+/// Order: 2 in free flight, slip, stick and rolling, and through impacts that are apart; 1 in the time at
+/// which impacts that accumulate have ended.
 ///
 /// Dissipation is summed with the stages' laws and the method's weights, in steps of backward Euler as
 /// −Λ·½(γ⁻ + γ⁺), exact for the change of kinetic energy, and from a landing to its step's end all as impact.
-/// Events carry the time of the landing in their step, else of the step's end; a bounce is `close` and `open` at
-/// one time. Shown inside a step is u as linear, q as cubic.
+/// Events carry the time of the landing in their step, else of the step's end; a bounce is `close` and `open`
+/// at one time. Shown inside a step is u as linear, q as cubic.
 ///
 /// The equations of a stage converge for Δt of up to about 3/‖∂(u̇, q̇)/∂(u, q)‖ (of a top: 3/ω); a longer one
 /// ends the run, RunStatus::solver_failed, as does a contact problem that is not solved.

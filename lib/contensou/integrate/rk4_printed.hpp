@@ -14,9 +14,9 @@ namespace contensou {
 /// friction depend on q or the contact velocities; of order four where u̇ depends on u alone.
 ///
 /// A stage stops the whole of a contact velocity γ within Δt₂: a_m = −4γ/Δt. So
-/// - where contact is kept up in all stages, as in stick, a small γ obeys γ̇ = −4γ/Δt and is multiplied in
-/// each
-///   step by 1 + z + z²/2 + z³/6 + z⁴/24 at z = −4, which is 5: no stability, until friction's bounds end it;
+/// - where contact is kept up in all stages, as in stick, a small γ obeys γ̇ = −4γ/Δt and is multiplied
+///   in each step by 1 + z + z²/2 + z³/6 + z⁴/24 at z = −4, which is 5: no stability, until friction's bounds
+///   end it;
 /// - a body that hits the floor with −v leaves it with +v/3, though ε_N = 0: a_m = 4v/Δt in the stages that
 ///   find it approaching in the floor, and these are the first and the fourth, or the second (where it is the
 ///   fourth alone, the body is in the floor with −v/3, and leaves it a step later with +v/3, seldom +v/9);
@@ -26,8 +26,8 @@ namespace contensou {
 ///
 /// Energy that contacts take out is summed with the stages' forces and the method's weights. Shown between
 /// the ends of a step is the method's natural continuous extension (of order 3 where the method has order 4).
-/// A contact counts as closed that is so in any
-/// stage. Never fails; RunStatus::not_finite where the numbers end.
+/// A contact counts as closed that is so in any stage. Never fails; RunStatus::not_finite where the numbers
+/// end.
 Scheme run_rk4_printed;
 
 }  // namespace contensou
