@@ -10,8 +10,8 @@
 
 namespace contensou {
 
-/// One stage of an implicit time-stepping scheme with contacts on velocity level: at time t, find q, u, Λ
-/// with
+/// One stage of an implicit time-stepping scheme with contacts on velocity level: at time t, find
+/// q, u, Λ with
 ///     q = q_base + w F(q)u,      u = u_base + w M(q)⁻¹h(t, q, u) + M(q)⁻¹W(q)Λ,
 ///     0 <= γ_N − shift ⊥ Λ_N >= 0,      −γ_F ∈ N_B(μΛ_N)(Λ_F),      γ = W(q)ᵀu + w̃(q),
 /// for the contacts chosen; Λ = wλ. A stage of backward Euler or of a diagonally implicit Runge–Kutta

@@ -9,9 +9,8 @@ namespace contensou {
 /// Error: each step is made once whole and once in two halves; the halves are kept, and a third of the
 /// difference is the estimate of what is wrong with them (order 2). It is measured, as the largest of
 ///   - the coordinates' errors in their scales (coordinate_scales),
-///   - the velocities' error in the norm of kinetic energy, √(δuᵀMδu), in units of that of the fastest motion
-///   so
-///     far,
+///   - the velocities' error in the norm of kinetic energy, √(δuᵀMδu), in units of that of the fastest
+///     motion so far,
 /// and accepted up to options.tolerance. In smooth phases Δt goes like tolerance^⅓ and the error of the
 /// result like tolerance^⅔.
 ///

@@ -19,10 +19,9 @@ namespace contensou {
 ///   stick.
 /// - Λ_F: (T1, T2, τ) as far as the contact has them, Λ_τ being (impulsive torque)/R.
 /// - The iteration ends with ‖ΔΛ_N‖ + ‖ΔΛ_F‖ < tol, as printed: options.solver_tolerance [N s]. That is r
-/// times
-///   a residual and so says the less, the smaller r is. It is bounded here by `most_iterations`; where it
-///   does not end before, the step goes on with what it has. The run's message then tells how often and when
-///   first.
+///   times a residual and so says the less, the smaller r is. It is bounded here by `most_iterations`; where
+///   it does not end before, the step goes on with what it has. The run's message then tells how often and
+///   when first.
 /// - As printed, u_E goes with the impulses of the last iteration but one.
 /// - q̇ = F(q)u where the paper has q̇ = u, with F at the start of each piece: q_M = q_A + ½Δt F(q_A)u_A,
 ///   q_E = q_M + ½Δt F(q_M)u_E. The letter knows no restore(): with LG03's own coordinates (Euler angles) it
