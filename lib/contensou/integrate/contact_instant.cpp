@@ -102,8 +102,9 @@ bool ContactInstant::impact(State& state, const InstantTolerances& tolerances, R
 
 void ContactInstant::drop_departed(const State& state, std::vector<ContactMode>& modes,
                                    const InstantTolerances& tolerances) {
+  const bool any_struck = std::find(struck_.begin(), struck_.end(), true) != struck_.end();
   for (const std::size_t i : closed_) {
-    if (rows_[i].velocity[0] > tolerances.approach) modes[i] = ContactMode::open;
+    if (rows_[i].velocity[0] > (any_struck ? tolerances.bounce : tolerances.approach)) modes[i] = ContactMode::open;
   }
   gather(state, modes);
 }

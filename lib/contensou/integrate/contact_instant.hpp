@@ -15,6 +15,7 @@ namespace contensou {
 /// What is zero at an instant, by rounding or by decision.
 struct InstantTolerances {
   double approach;  ///< γ_N of this size is no impact and no departure [m/s]
+  double bounce;    ///< nor is it a departure from an impact at up to this speed [m/s]
   double slip;      ///< slip slower than this (slip_speed) is over if the contact can hold [m/s]
   double length;    ///< the system's [m]
 };

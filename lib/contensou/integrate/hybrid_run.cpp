@@ -27,6 +27,8 @@ constexpr double overshoot = 1e-10;       ///< of λ_N and of the friction limit
 constexpr double short_bounce = 5e-6;
 /// ... or, times √tolerance, as one as high as errors are.
 constexpr double short_bounce_root = 1;
+/// A contact that leaves an impact for a bounce shorter than this part of that stays closed.
+constexpr double no_bounce = 0.1;
 
 /// h·rate at which the explicit methods become unstable is 2.8 (order 4) to 6 (order 8).
 constexpr double stable = 2.0;
@@ -59,7 +61,8 @@ HybridRun::HybridRun(const MechanicalSystem& system, State& state, double t_end,
   const std::size_t count = system.contacts().size();
   modes_.assign(count, ContactMode::open);
   armed_.assign(count, true);
-  took_part_.assign(count, false);
+  impacts_.resize(count);
+  for (auto* times : {&opened_, &flight_}) times->assign(count, -infinite);
   for (const SystemContact& contact : system.contacts())
     spin_factor_.push_back(contact.mu > 0 ? spin_factor(contact, scales_.length) : 0);
   for (auto* values : {&at_start_, &at_end_, &at_theta_}) values->assign(2 * count, 0.0);
@@ -67,8 +70,13 @@ HybridRun::HybridRun(const MechanicalSystem& system, State& state, double t_end,
     v->setZero(dynamics_.size());
   report_.dissipated.assign(count, {});
   const double unresolved = choice_ == StepChoice::adaptive ? slip_unresolved * options_.tolerance : 0;
-  tolerances_ = {approach_speed * scales_.speed, std::max(slip_at_rest, unresolved) * scales_.speed,
-                 scales_.length};
+  const double error = choice_ == StepChoice::adaptive ? std::sqrt(options_.tolerance) : 0;
+  shortest_bounce_ = std::max(short_bounce, short_bounce_root * error) * scales_.time;
+  const double bounce_speed = no_bounce * shortest_bounce_ * scales_.length / (scales_.time * scales_.time);
+  tolerances_ = {.approach = approach_speed * scales_.speed,
+                 .bounce = bounce_speed / 2,
+                 .slip = std::max(slip_at_rest, unresolved) * scales_.speed,
+                 .length = scales_.length};
 }
 
 RunReport HybridRun::run() {
@@ -180,36 +188,32 @@ bool HybridRun::settle(const std::string& cause, double t) {
   return true;
 }
 
-void HybridRun::note_impacts() {
-  bool any = false;
-  for (std::size_t i = 0; i < modes_.size(); ++i) {
-    if (!instant_.struck(i)) continue;
-    any = true;
-    took_part_[i] = true;
-  }
-  if (any) impacts_.add(state_.t);
-}
-
-/// Ends a series of impacts whose rest is too short to follow.
+/// Ends series of impacts that are no longer resolved: the contacts whose series have the same limit close.
 bool HybridRun::close_accumulated() {
-  double shortest = short_bounce;
-  if (choice_ == StepChoice::adaptive)
-    shortest = std::max(shortest, short_bounce_root * std::sqrt(options_.tolerance));
-  shortest *= scales_.time;
-  if (impacts_.shortest() > shortest) return true;
-  std::optional<double> limit = impacts_.limit();
-  if (impacts_.longest() <= shortest) limit = state_.t;  // no longer resolved: over
-  if (!limit) return true;
   for (std::size_t i = 0; i < modes_.size(); ++i) {
-    if (took_part_[i] && modes_[i] == ContactMode::open) modes_[i] = ContactMode::slip;
+    if (instant_.struck(i)) impacts_[i].add(state_.t);
+    flight_[i] = state_.t - opened_[i];
+    if (modes_[i] == ContactMode::open && !armed_[i]) opened_[i] = state_.t;
   }
-  instant_.correct_velocities(state_, modes_, report_);
-  if (!settle("accumulation of impacts", *limit)) return false;
   for (std::size_t i = 0; i < modes_.size(); ++i) {
-    if (took_part_[i]) report_.events.push_back({*limit, EventKind::accumulation, i});
+    if (!instant_.struck(i) || flight_[i] > shortest_bounce_) continue;
+    const std::optional<double> limit = impacts_[i].limit();
+    if (!limit) continue;
+    std::vector<std::size_t> together;
+    for (std::size_t j = 0; j < modes_.size(); ++j) {
+      const std::optional<double> other = impacts_[j].limit();
+      if (!other || std::abs(*other - *limit) > impacts_[i].last_interval()) continue;
+      together.push_back(j);
+      if (modes_[j] == ContactMode::open) modes_[j] = ContactMode::slip;
+    }
+    instant_.correct_velocities(state_, modes_, report_);
+    if (!settle("accumulation of impacts", *limit)) return false;
+    for (const std::size_t j : together) {
+      report_.events.push_back({*limit, EventKind::accumulation, j});
+      impacts_[j].clear();
+    }
+    return true;
   }
-  impacts_.clear();
-  took_part_.assign(took_part_.size(), false);
   return true;
 }
 
@@ -480,7 +484,6 @@ bool HybridRun::advance() {
     const std::size_t contact = found->monitor / 2;
     if (modes_[contact] == ContactMode::open) modes_[contact] = ContactMode::slip;  // closed, for settle
     if (!settle("event", state_.t)) return false;
-    note_impacts();
     return close_accumulated();
   }
 

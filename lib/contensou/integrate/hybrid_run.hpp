@@ -27,8 +27,8 @@ enum class StepChoice {
 /// follow it, never longer than 0.7 of the time it has left at its present rate, until it is too slow to
 /// matter. Where the spin of a slipping contact changes its sign the motion is smooth, and nothing is done.
 ///
-/// Impacts that accumulate (ImpactSeries) are summed once what is left is too short for doubles to resolve:
-/// all contacts that took part close, at the limit of the series.
+/// Impacts that accumulate (ImpactSeries) are summed once bounces are too short for doubles, or for the error
+/// control, to resolve: the contacts that take part close, at the limit of the series.
 class HybridRun {
  public:
   HybridRun(const MechanicalSystem& system, State& state, double t_end, const IntegratorOptions& options,
@@ -44,7 +44,6 @@ class HybridRun {
   bool start();
   bool advance();
   bool settle(const std::string& cause, double t);
-  void note_impacts();
   bool close_accumulated();
 
   OdeStep& choose_stepper(double h);
@@ -76,7 +75,9 @@ class HybridRun {
   Radau5 implicit_;
   ContactDynamics dynamics_;
   ContactInstant instant_;
-  ImpactSeries impacts_;
+  std::vector<ImpactSeries> impacts_;  ///< by contact
+  std::vector<double> opened_, flight_;  ///< when a contact opened last, how long it then flew [s]
+  double shortest_bounce_ = 0;           ///< [s]
   MotionScales scales_;
   InstantTolerances tolerances_{};
   SampleClock clock_;
@@ -85,7 +86,6 @@ class HybridRun {
   std::vector<ContactMode> modes_, modes_before_;
   std::vector<bool> armed_;           ///< open contacts that have risen since they opened
   std::vector<double> spin_factor_;
-  std::vector<bool> took_part_;       ///< in the impacts of the series
   Eigen::VectorXd y_, rate_, scale_, between_, between_rate_;
   std::vector<double> at_start_, at_end_, at_theta_;
 
