@@ -70,6 +70,13 @@ bool ContactInstant::solved(const SolverReport& solver, const State& state, cons
   return false;
 }
 
+bool ContactInstant::finite(const ContactProblem& problem, const State& state, RunReport& report) const {
+  if (problem.delassus.allFinite() && problem.free_velocity.allFinite()) return true;
+  report.status = RunStatus::not_finite;
+  report.message = "the contacts' terms are not finite at t = " + to_text(state.t) + " s";
+  return false;
+}
+
 bool ContactInstant::impact(State& state, const InstantTolerances& tolerances, RunReport& report) {
   const bool any = std::any_of(closed_.begin(), closed_.end(), [&](std::size_t i) {
     return rows_[i].velocity[0] < -tolerances.approach;
@@ -84,6 +91,7 @@ bool ContactInstant::impact(State& state, const InstantTolerances& tolerances, R
     problem.free_velocity[row] *= 1 + system_.contacts()[i].restitution;
     row += count;
   }
+  if (!finite(problem, state, report)) return false;
   Eigen::VectorXd impulse;
   if (!solved(solver_.solve(problem, impulse), state, "impact", report)) return false;
   const Eigen::VectorXd change = problem.delassus * impulse;
@@ -166,6 +174,7 @@ bool ContactInstant::decide(State& state, std::vector<ContactMode>& modes,
     if (!at_rest_[i]) velocity.segment(row, count) = rows_[i].velocity.head(count);
     row += count;
   }
+  if (!finite(full, state, report)) return false;
   const AccelerationLevel level(full, velocity);
   Eigen::VectorXd reduced;
   if (!solved(solver_.solve(level.problem(), reduced), state, "forces of closed contacts", report)) {

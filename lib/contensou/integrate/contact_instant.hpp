@@ -55,6 +55,7 @@ class ContactInstant {
 
   void gather(const State& state, const std::vector<ContactMode>& modes);
   void set_up(ContactProblem& problem) const;
+  bool finite(const ContactProblem& problem, const State& state, RunReport& report) const;
   bool impact(State& state, const InstantTolerances& tolerances, RunReport& report);
   void drop_departed(const State& state, std::vector<ContactMode>& modes, const InstantTolerances& tolerances);
   void stop_slow_slip(State& state, const InstantTolerances& tolerances, RunReport& report);

@@ -27,6 +27,8 @@ constexpr double overshoot = 1e-10;       ///< of λ_N and of the friction limit
 constexpr double short_bounce = 5e-6;
 /// ... or, times √tolerance, as one as high as errors are.
 constexpr double short_bounce_root = 1;
+/// Seven impacts within this many of them are no longer resolved, whatever they look like.
+constexpr double unresolved_impacts = 24;
 /// A contact that leaves an impact for a bounce shorter than this part of that stays closed.
 constexpr double no_bounce = 0.1;
 
@@ -92,6 +94,12 @@ RunReport HybridRun::run() {
     }
   }
   unload(y_, state_.t);
+  if (report_.status == RunStatus::finished) {
+    // Whoever goes on from here starts with closed contacts closed.
+    instant_.correct_positions(state_, modes_);
+    instant_.correct_velocities(state_, modes_, report_);
+    load();
+  }
   if (report_.status == RunStatus::finished) show_until(t_end_, nullptr, 0);
   for (std::size_t i = 0; i < modes_.size(); ++i) {
     const Eigen::Index at = dynamics_.coupled() + 2 * static_cast<Eigen::Index>(i);
@@ -107,8 +115,8 @@ bool HybridRun::start() {
   for (std::size_t i = 0; i < modes_.size(); ++i) {
     if (system_.gap(i, state_.t, state_.q) <= closed_gap * scales_.length) modes_[i] = ContactMode::slip;
   }
-  modes_before_ = modes_;
-  load();
+  modes_before_.assign(modes_.size(), ContactMode::open);
+  set_error_scales();
   if (!settle("start", state_.t)) return false;
   report_.events.clear();  // how it starts is no event
   for (std::size_t i = 0; i < modes_.size(); ++i) {
@@ -128,6 +136,9 @@ bool HybridRun::start() {
 void HybridRun::load() {
   y_.head(dynamics_.coordinates()) = state_.q;
   y_.segment(dynamics_.coordinates(), dynamics_.velocities()) = state_.u;
+}
+
+void HybridRun::set_error_scales() {
   const auto n = dynamics_.coordinates();
   const auto f = dynamics_.velocities();
   scale_.head(n) = options_.tolerance * scales_.coordinate;
@@ -162,8 +173,10 @@ void HybridRun::read_rates() {
 
 /// Solves the instant, records what changed as of time t, and makes everything ready for the next step.
 bool HybridRun::settle(const std::string& cause, double t) {
-  // First, so that a contact that opens does so at g_N = 0.
+  // First, so that a contact that opens does so at g_N = 0, and that none is thought to move apart that has
+  // only drifted.
   instant_.correct_positions(state_, modes_);
+  instant_.correct_velocities(state_, modes_before_, report_);
   if (!instant_.settle(state_, modes_, tolerances_, report_)) {
     report_.message += " (" + cause + ")";
     return false;
@@ -197,12 +210,12 @@ bool HybridRun::close_accumulated() {
   }
   for (std::size_t i = 0; i < modes_.size(); ++i) {
     if (!instant_.struck(i) || flight_[i] > shortest_bounce_) continue;
-    const std::optional<double> limit = impacts_[i].limit();
+    const std::optional<double> limit = impacts_[i].limit(unresolved_impacts * shortest_bounce_);
     if (!limit) continue;
     std::vector<std::size_t> together;
     for (std::size_t j = 0; j < modes_.size(); ++j) {
-      const std::optional<double> other = impacts_[j].limit();
-      if (!other || std::abs(*other - *limit) > impacts_[i].last_interval()) continue;
+      const std::optional<double> other = impacts_[j].limit(unresolved_impacts * shortest_bounce_);
+      if (!other || std::abs(*other - *limit) > 2 * (*limit - state_.t) + shortest_bounce_) continue;
       together.push_back(j);
       if (modes_[j] == ContactMode::open) modes_[j] = ContactMode::slip;
     }

@@ -52,6 +52,7 @@ class HybridRun {
   void adapt(double error, bool accepted, const OdeStep& stepper);
 
   void load();
+  void set_error_scales();
   void unload(const Eigen::VectorXd& y, double t);
   void read_rates();
   void correct_drift();

@@ -22,20 +22,19 @@ class ImpactSeries {
     times_[count_++] = t;
   }
   /// When the impacts accumulate, if they look like it: of three windows of two intervals the ratio of
-  /// lengths is less than one, and the same to 5 %.
-  std::optional<double> limit() const {
+  /// lengths is less than one, and the same to 5 %. If not, but all seven impacts fell within `unresolved`: at
+  /// the last of them.
+  std::optional<double> limit(double unresolved) const {
     if (count_ < capacity) return std::nullopt;
+    const std::optional<double> last =
+        times_[6] - times_[0] < unresolved ? std::optional(times_[6]) : std::nullopt;
     const double first = times_[2] - times_[0];
     const double second = times_[4] - times_[2];
     const double third = times_[6] - times_[4];
     const double ratio = third / second;
     constexpr double same = 0.05;
-    if (!(ratio < 1 && second < first) || std::abs(second / first - ratio) > same * ratio) return std::nullopt;
+    if (!(ratio < 1 && second < first) || std::abs(second / first - ratio) > same * ratio) return last;
     return times_[6] + third * ratio / (1 - ratio);
-  }
-  /// The last interval; infinite where there was none.
-  double last_interval() const {
-    return count_ < 2 ? std::numeric_limits<double>::infinity() : times_[count_ - 1] - times_[count_ - 2];
   }
 
  private:

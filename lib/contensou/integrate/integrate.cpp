@@ -51,8 +51,8 @@ void require_valid(const IntegratorOptions& options) {
   if (!(options.output_interval > 0)) reject("output_interval", options.output_interval, "a number > 0");
 }
 
-/// Gaps this deep are rounding.
-double penetration_limit(const MechanicalSystem& system) { return 1e-12 * system.length_scale(); }
+/// Contacts this deep are closed: as an integration at its tolerance may leave them.
+double penetration_limit(const MechanicalSystem& system) { return 1e-9 * system.length_scale(); }
 
 void require_valid(const MechanicalSystem& system, const State& state, double t_end) {
   if (state.q.size() != system.coordinates() || state.u.size() != system.velocities())

@@ -95,7 +95,7 @@ struct IntegratorOptions {
   double step = 1e-4;              ///< Δt [s], fixed-step methods; initial guess for moreau_adaptive
   double tolerance = 1e-9;         ///< adaptive methods: of the local error, see each method
   double solver_tolerance = 1e-12; ///< of contact problems; printed schemes: `tol` of Tables 1, 2 [N s]
-  std::optional<double> r;         ///< printed schemes: the r of (4.16) [kg]; not given: see printed.hpp
+  std::optional<double> r = {};         ///< printed schemes: the r of (4.16) [kg]; not given: see printed.hpp
   double output_interval = std::numeric_limits<double>::infinity();  ///< [s]; infinite: only start and end
   std::int64_t max_steps = std::numeric_limits<std::int64_t>::max();
 };
