@@ -90,6 +90,7 @@ const char* name(EventKind kind) {
     case EventKind::accumulation: return "accumulation";
     case EventKind::stick: return "stick";
     case EventKind::slip: return "slip";
+    case EventKind::spin: return "spin";
   }
   return "";
 }

@@ -50,7 +50,14 @@ struct Sample {
   const std::vector<ContactMode>& modes;
 };
 
-enum class EventKind { close, open, accumulation, stick, slip };
+enum class EventKind {
+  close,
+  open,
+  accumulation,  ///< of impacts
+  stick,
+  slip,
+  spin,  ///< the spin of a slipping contact changes its sign
+};
 const char* name(EventKind kind);
 
 struct Event {

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "contensou/integrate/contact_dynamics.hpp"
+#include "contensou/integrate/motion_scales.hpp"
+
+namespace contensou {
+
+/// Finds the first event in a step and lands on it. Events are zeros of monitors, which are not negative as
+/// long as nothing happens: the gap of an open contact, the normal force of a closed one, and in one that
+/// sticks what is left of friction, 1 − gauge(λ_F)/(μλ_N).
+///
+/// A contact that has just opened has a gap of zero, of either sign by rounding: it is watched for closing at
+/// zero only once it has risen by some ten thousand roundings (armed), and that far below zero before.
+/// Forces are watched for passing zero by 1e-10 of their scale, so that at the event it is plain on which side
+/// they are.
+class EventSearch {
+ public:
+  struct Found {
+    double theta;         ///< in steps; 0: at the start
+    std::size_t contact;  ///< whose monitor it is
+    std::size_t monitor;
+  };
+
+  /// All arguments outlive the search; `modes` is looked at anew with each call.
+  EventSearch(ContactDynamics& dynamics, const MotionScales& scales, const std::vector<ContactMode>& modes);
+
+  // `dynamics` was evaluated last of all at the (t, y) meant, here and in find().
+  /// A phase begins at (t, y).
+  void begin(double t, const Eigen::VectorXd& y);
+  void disarm(std::size_t contact) { armed_[contact] = false; }
+  /// Whether a contact is open and has not risen yet.
+  bool fresh(std::size_t contact) const { return modes_[contact] == ContactMode::open && !armed_[contact]; }
+
+  /// The first event in the step of length h from time t that `stepper` has just tried. Monitors are looked at
+  /// on its end and, where they come near to zero, inside.
+  std::optional<Found> find(OdeStep& stepper, double t, double h);
+  /// The step had no event and was taken: its end is the next one's start.
+  void accept(double t, const Eigen::VectorXd& y);
+
+  /// Tries the step again so that it ends at the event: of the length found, then corrected by the secant rule
+  /// until the monitor's own end is at zero. Returns the length; none where it does not get there, because the
+  /// step was too long for its continuous extension.
+  std::optional<double> land(OdeStep& stepper, double t, const Eigen::VectorXd& y, const Eigen::VectorXd& rate,
+                             double h, const Eigen::VectorXd& scale, const Found& found);
+
+  /// Where in the step just tried the spin γ_τ of a contact that slips has a zero; none where its signs at the
+  /// ends are the same. The motion is smooth there.
+  std::optional<double> spin_reversal(OdeStep& stepper, double t, double h, std::size_t contact);
+
+ private:
+  void monitor(double t, const Eigen::VectorXd& y, std::vector<double>& values) const;
+  bool evaluate_between(OdeStep& stepper, double t, double h, double theta);
+  bool comes_near() const;
+  double risen(OdeStep& stepper, double t, double h, std::size_t contact, double last);
+  double locate(OdeStep& stepper, double t, double h, std::size_t monitor, double left, double right);
+  void note_spins(std::vector<double>& spins) const;
+
+  ContactDynamics& dynamics_;
+  const MotionScales& scales_;
+  const std::vector<ContactMode>& modes_;
+  std::vector<bool> armed_;
+  std::vector<double> at_start_, at_end_, between_values_;
+  std::vector<double> spin_at_start_, spin_at_end_;  ///< 0 where there is none
+  Eigen::VectorXd between_, between_rate_;
+  ContactRows rows_;
+};
+
+}  // namespace contensou
