@@ -43,9 +43,7 @@ void ContactDynamics::set_modes(const std::vector<ContactMode>& modes) {
     if (modes_[i] != ContactMode::stick) continue;
     for (int k = 1; k <= friction_[i].dimension(); ++k) constraints_.push_back({i, k});
   }
-  const auto m = static_cast<Eigen::Index>(constraints_.size());
-  matrix_.resize(m, m);
-  for (Eigen::VectorXd* v : {&side_, &scale_, &solution_}) v->resize(m);
+  solver_.resize(static_cast<Eigen::Index>(constraints_.size()));
 }
 
 void ContactDynamics::derivative(double t, const Eigen::VectorXd& y, Eigen::VectorXd& dy) {
@@ -112,32 +110,18 @@ void ContactDynamics::solve_all(Eigen::Ref<Eigen::VectorXd> a) {
   for (Eigen::Index i = 0; i < m; ++i) {
     const Constraint& c = constraints_[static_cast<std::size_t>(i)];
     const auto direction = rows_[c.contact].directions.col(c.row);
-    side_[i] = -(direction.dot(a) + rows_[c.contact].drift[c.row]);
-    scale_[i] = 1 / std::sqrt(direction.dot(rows_[c.contact].response.col(c.row)));
+    solver_.side[i] = -(direction.dot(a) + rows_[c.contact].drift[c.row]);
     for (Eigen::Index j = 0; j < m; ++j)
-      matrix_(i, j) = direction.dot(response(constraints_[static_cast<std::size_t>(j)]));
+      solver_.matrix(i, j) = direction.dot(response(constraints_[static_cast<std::size_t>(j)]));
   }
-  if (m == 2) {
-    const double determinant = matrix_(0, 0) * matrix_(1, 1) - matrix_(0, 1) * matrix_(1, 0);
-    solution_[0] = (matrix_(1, 1) * side_[0] - matrix_(0, 1) * side_[1]) / determinant;
-    solution_[1] = (matrix_(0, 0) * side_[1] - matrix_(1, 0) * side_[0]) / determinant;
-  } else {
-    // Rows of a torque are smaller than the others by (R/length)²: scaled, so that rank means dependence.
-    matrix_ = scale_.asDiagonal() * matrix_ * scale_.asDiagonal();
-    side_.array() *= scale_.array();
-    constexpr double dependent = 1e-11;  // beside 1: far above rounding, far below the size of a patch
-    decomposition_.setThreshold(dependent);
-    decomposition_.compute(matrix_);
-    solution_ = decomposition_.solve(side_);
-    solution_.array() *= scale_.array();
-  }
+  const Eigen::VectorXd& solution = solver_.solve();
   for (const std::size_t i : closed_) force_[i].setZero();
   for (Eigen::Index j = 0; j < m; ++j) {
     const Constraint& c = constraints_[static_cast<std::size_t>(j)];
-    a += solution_[j] * response(c);
-    force_[c.contact][c.row] = solution_[j];
+    a += solution[j] * response(c);
+    force_[c.contact][c.row] = solution[j];
     if (c.row == 0 && modes_[c.contact] == ContactMode::slip)
-      force_[c.contact].tail<3>() = (-mu_[c.contact] * solution_[j]) * border_[c.contact];
+      force_[c.contact].tail<3>() = (-mu_[c.contact] * solution[j]) * border_[c.contact];
   }
 }
 

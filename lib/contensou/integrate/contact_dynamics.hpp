@@ -1,8 +1,8 @@
 #pragma once
 
-#include <Eigen/QR>
 #include <vector>
 
+#include "contensou/integrate/constraint_solver.hpp"
 #include "contensou/integrate/motion.hpp"
 #include "contensou/integrate/ode.hpp"
 #include "contensou/integrate/slip_friction.hpp"
@@ -16,7 +16,7 @@ const AnyFriction& effective_friction(const SystemContact& contact);
 /// fixed, and so LG03 (4.1) with contact and friction on acceleration level is a linear system for the forces:
 ///     closed:    γ̇_N = 0, λ_N of either sign (the event's business);
 ///     slipping:  λ_F = −μλ_N x̂(γ_F);      sticking:  γ̇_F = 0.
-/// Dependent constraints (two contacts that stick) get the forces of least norm in scaled rows.
+/// Dependent constraints (two contacts that stick) share their forces as ConstraintSolver says.
 ///
 ///     y = (q, u, W),    W = (∫ sliding, ∫ drilling power lost) of each contact in turn [J]: quadratures.
 ///
@@ -78,9 +78,7 @@ class ContactDynamics final : public OdeSystem {
     int row;
   };
   std::vector<Constraint> constraints_;
-  Eigen::MatrixXd matrix_;
-  Eigen::VectorXd side_, scale_, solution_;
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition_;
+  ConstraintSolver solver_;
 
   // Of jacobian().
   Eigen::VectorXd moved_, moved_rate_;

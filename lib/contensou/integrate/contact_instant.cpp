@@ -12,8 +12,6 @@ namespace {
 /// A force this near to the border of its domain, relative to its size, is on it: contact problems are
 /// solved to 1e-12 of their largest term.
 constexpr double on_border = 1e-10;
-/// Constraints that depend on each other to this part, with rows scaled to one.
-constexpr double dependent = 1e-11;
 
 }  // namespace
 
@@ -25,6 +23,10 @@ ContactInstant::ContactInstant(const MechanicalSystem& system, double solver_tol
   rows_.assign(count, ContactRows(system.velocities()));
   at_rest_.assign(count, false);
   struck_.assign(count, false);
+  closed_.reserve(count);
+  targets_.reserve(4 * count);
+  move_.resize(system.velocities());
+  rates_.resize(system.coordinates());
 }
 
 void ContactInstant::gather(const State& state, const std::vector<ContactMode>& modes) {
@@ -118,43 +120,39 @@ void ContactInstant::drop_departed(const State& state, std::vector<ContactMode>&
 }
 
 /// Changes u by the least kinetic norm so that the targets hold: u += M⁻¹W Λ, WᵀM⁻¹W Λ = target − γ.
-void ContactInstant::apply(State& state, const std::vector<Target>& targets, RunReport& report) {
-  const auto m = static_cast<Eigen::Index>(targets.size());
-  if (m == 0) return;
-  Eigen::MatrixXd matrix(m, m);
-  Eigen::VectorXd side(m), scale(m);
+void ContactInstant::apply(State& state, RunReport& report) {
+  const auto m = static_cast<Eigen::Index>(targets_.size());
+  constraints_.resize(m);
+  bool met = true;
   for (Eigen::Index r = 0; r < m; ++r) {
-    const Target& a = targets[static_cast<std::size_t>(r)];
+    const Target& a = targets_[static_cast<std::size_t>(r)];
     for (Eigen::Index s = 0; s < m; ++s) {
-      const Target& b = targets[static_cast<std::size_t>(s)];
-      matrix(r, s) = rows_[a.contact].directions.col(a.row).dot(rows_[b.contact].response.col(b.row));
+      const Target& b = targets_[static_cast<std::size_t>(s)];
+      constraints_.matrix(r, s) = rows_[a.contact].directions.col(a.row).dot(rows_[b.contact].response.col(b.row));
     }
-    side[r] = a.velocity - rows_[a.contact].velocity[a.row];
-    scale[r] = 1 / std::sqrt(matrix(r, r));
+    constraints_.side[r] = a.velocity - rows_[a.contact].velocity[a.row];
+    met = met && constraints_.side[r] == 0;
   }
-  if (side.isZero(0)) return;
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition(m, m);
-  decomposition.setThreshold(dependent);
-  decomposition.compute(scale.asDiagonal() * matrix * scale.asDiagonal());
-  Eigen::VectorXd impulse = decomposition.solve((scale.array() * side.array()).matrix());
-  impulse.array() *= scale.array();
+  if (met) return;
+  const Eigen::VectorXd& impulse = constraints_.solve();
   for (Eigen::Index r = 0; r < m; ++r) {
-    const Target& a = targets[static_cast<std::size_t>(r)];
-    report.dissipated[a.contact].impact -= impulse[r] * (rows_[a.contact].velocity[a.row] + side[r] / 2);
+    const Target& a = targets_[static_cast<std::size_t>(r)];
+    const double mean = (rows_[a.contact].velocity[a.row] + a.velocity) / 2;
+    report.dissipated[a.contact].impact -= impulse[r] * mean;
     state.u += impulse[r] * rows_[a.contact].response.col(a.row);
   }
 }
 
 void ContactInstant::stop_slow_slip(State& state, const InstantTolerances& tolerances, RunReport& report) {
-  std::vector<Target> targets;
+  targets_.clear();
   for (const std::size_t i : closed_) {
-    targets.push_back({i, 0, 0.0});
+    targets_.push_back({i, 0, 0.0});
     const double factor = spin_factor(system_.contacts()[i], tolerances.length);
     at_rest_[i] = friction_[i].dimension() > 0 && slip_speed(rows_[i].velocity, factor) <= tolerances.slip;
     if (!at_rest_[i]) continue;
-    for (int k = 1; k <= friction_[i].dimension(); ++k) targets.push_back({i, k, 0.0});
+    for (int k = 1; k <= friction_[i].dimension(); ++k) targets_.push_back({i, k, 0.0});
   }
-  apply(state, targets, report);
+  apply(state, report);
 }
 
 bool ContactInstant::decide(State& state, std::vector<ContactMode>& modes,
@@ -183,7 +181,7 @@ bool ContactInstant::decide(State& state, std::vector<ContactMode>& modes,
   }
   const Eigen::VectorXd forces = level.forces(reduced);
 
-  std::vector<Target> targets;
+  targets_.clear();
   row = 0;
   for (const std::size_t i : closed_) {
     const int dimension = friction_[i].dimension();
@@ -196,7 +194,7 @@ bool ContactInstant::decide(State& state, std::vector<ContactMode>& modes,
       modes[i] = ContactMode::open;
       continue;
     }
-    targets.push_back({i, 0, 0.0});
+    targets_.push_back({i, 0, 0.0});
     if (!at_rest_[i]) continue;
     const double size = system_.contacts()[i].mu * normal;
     const bool holds = friction_[i].gauge(friction) < size * (1 - on_border);
@@ -207,9 +205,9 @@ bool ContactInstant::decide(State& state, std::vector<ContactMode>& modes,
       const double factor = spin_factor(system_.contacts()[i], tolerances.length);
       start *= 2 * tolerances.slip / slip_speed({0, start[0], start[1], start[2]}, factor);
     }
-    for (int k = 0; k < dimension; ++k) targets.push_back({i, k + 1, start[k]});
+    for (int k = 0; k < dimension; ++k) targets_.push_back({i, k + 1, start[k]});
   }
-  apply(state, targets, report);
+  apply(state, report);
   return true;
 }
 
@@ -227,13 +225,13 @@ bool ContactInstant::settle(State& state, std::vector<ContactMode>& modes,
 void ContactInstant::correct_velocities(State& state, const std::vector<ContactMode>& modes,
                                         RunReport& report) {
   gather(state, modes);
-  std::vector<Target> targets;
+  targets_.clear();
   for (const std::size_t i : closed_) {
-    targets.push_back({i, 0, 0.0});
+    targets_.push_back({i, 0, 0.0});
     if (modes[i] != ContactMode::stick) continue;
-    for (int k = 1; k <= friction_[i].dimension(); ++k) targets.push_back({i, k, 0.0});
+    for (int k = 1; k <= friction_[i].dimension(); ++k) targets_.push_back({i, k, 0.0});
   }
-  apply(state, targets, report);
+  apply(state, report);
 }
 
 void ContactInstant::correct_positions(State& state, const std::vector<ContactMode>& modes) {
@@ -241,24 +239,23 @@ void ContactInstant::correct_positions(State& state, const std::vector<ContactMo
   for (int pass = 0; pass < 2; ++pass) {
     gather(state, modes);
     const auto m = static_cast<Eigen::Index>(closed_.size());
-    if (m == 0) return;
-    Eigen::MatrixXd matrix(m, m);
-    Eigen::VectorXd gaps(m);
+    constraints_.resize(m);
+    bool met = true;
     for (Eigen::Index r = 0; r < m; ++r) {
       const std::size_t i = closed_[static_cast<std::size_t>(r)];
-      gaps[r] = system_.gap(i, state.t, state.q);
+      constraints_.side[r] = -system_.gap(i, state.t, state.q);
+      met = met && constraints_.side[r] == 0;
       for (Eigen::Index s = 0; s < m; ++s)
-        matrix(r, s) = rows_[i].directions.col(0).dot(
+        constraints_.matrix(r, s) = rows_[i].directions.col(0).dot(
             rows_[closed_[static_cast<std::size_t>(s)]].response.col(0));
     }
-    if (gaps.isZero(0)) return;
-    const Eigen::VectorXd amount = matrix.colPivHouseholderQr().solve(-gaps);
-    Eigen::VectorXd move = Eigen::VectorXd::Zero(system_.velocities());
+    if (met) return;
+    const Eigen::VectorXd& amount = constraints_.solve();
+    move_.setZero();
     for (Eigen::Index r = 0; r < m; ++r)
-      move += amount[r] * rows_[closed_[static_cast<std::size_t>(r)]].response.col(0);
-    Eigen::VectorXd rates(system_.coordinates());
-    system_.coordinate_rates(state.q, move, rates);
-    state.q += rates;
+      move_ += amount[r] * rows_[closed_[static_cast<std::size_t>(r)]].response.col(0);
+    system_.coordinate_rates(state.q, move_, rates_);
+    state.q += rates_;
     system_.restore(state.q);
   }
 }

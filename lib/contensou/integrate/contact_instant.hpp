@@ -1,6 +1,5 @@
 #pragma once
 
-#include <Eigen/QR>
 #include <string>
 #include <vector>
 
@@ -61,7 +60,8 @@ class ContactInstant {
   void stop_slow_slip(State& state, const InstantTolerances& tolerances, RunReport& report);
   bool decide(State& state, std::vector<ContactMode>& modes, const InstantTolerances& tolerances,
               RunReport& report);
-  void apply(State& state, const std::vector<Target>& targets, RunReport& report);
+  /// Sets the velocities of targets_.
+  void apply(State& state, RunReport& report);
   bool solved(const SolverReport& solver, const State& state, const char* what, RunReport& report) const;
 
   const MechanicalSystem& system_;
@@ -71,6 +71,9 @@ class ContactInstant {
   std::vector<std::size_t> closed_;
   std::vector<bool> at_rest_;  ///< γ_F is zero
   std::vector<bool> struck_;
+  std::vector<Target> targets_;
+  ConstraintSolver constraints_;
+  Eigen::VectorXd move_, rates_;
 };
 
 }  // namespace contensou

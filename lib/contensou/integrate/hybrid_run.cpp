@@ -234,6 +234,7 @@ bool HybridRun::advance() {
   if (!(h > smallest_step())) return fail(RunStatus::step_too_small, "a step of " + to_text(h) + " s");
   OdeStep& stepper = control_.implicit(h, relaxation_) ? static_cast<OdeStep&>(implicit_) : explicit_;
   const double error = stepper.attempt(dynamics_, state_.t, y_, rate_, h, scale_);
+  evaluations_ = dynamics_.evaluations();
   if (!control_.acceptable(error)) {
     ++report_.rejected;
     control_.reject(h, error, stepper.error_order());
@@ -270,7 +271,6 @@ bool HybridRun::take_event(OdeStep& stepper, double h, const EventSearch::Found&
 }
 
 bool HybridRun::take_step(OdeStep& stepper, double h, double error) {
-  // What was looked at inside the step, dynamics_ has to evaluate anew at its end.
   record_spins(stepper, h);
   show_until(state_.t + h, &stepper, h);
   state_.t = control_.accept(state_.t, h, error, stepper.error_order());
@@ -278,7 +278,9 @@ bool HybridRun::take_step(OdeStep& stepper, double h, double error) {
   ++report_.steps;
   y_ = stepper.end();
   if (!y_.allFinite()) return fail(RunStatus::not_finite, "the state is no longer finite");
-  dynamics_.derivative(state_.t, y_, rate_);
+  rate_ = stepper.end_rate();
+  // Where the step was looked into, what dynamics_ keeps is no longer of its end.
+  if (dynamics_.evaluations() != evaluations_) dynamics_.derivative(state_.t, y_, rate_);
   unload();
   correct_drift();
   read_rates();
