@@ -20,8 +20,8 @@ enum class Method {
   moreau,           ///< event-capturing, contacts on velocity level, second order in smooth phases
   moreau_implicit,  ///< the fully implicit (Euler) version of Moreau's method, LG03 Section 6
   moreau_adaptive,  ///< `moreau` with error estimate and automatic step size
-  rk4,              ///< fixed step, fourth order between located transitions
-  event_driven,     ///< adaptive, high order, located transitions: the reference
+  rk4,              ///< fixed step, fourth order between located transitions (hybrid_run.hpp)
+  event_driven,     ///< adaptive, high order, located transitions: the reference (hybrid_run.hpp)
 };
 
 /// "rk4" and so on; throws std::invalid_argument with the list of names for another one.
