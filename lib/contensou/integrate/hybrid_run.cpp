@@ -29,6 +29,9 @@ constexpr double unresolved_impacts = 24;
 /// A contact that leaves an impact for a bounce shorter than this part of that stays closed.
 constexpr double no_bounce = 0.1;
 constexpr int most_stalled = 200;
+/// Implicit steps are no longer than this: they would damp motions too small for the error control to see, even
+/// those that are about to grow (a top that sleeps upright and becomes unstable).
+constexpr double longest_implicit = 0.1;
 
 /// What drift from g_N = 0 and γ = 0 is left alone: a tenth of what the error control allows, or roundings.
 constexpr double drift_share = 0.1;
@@ -230,9 +233,14 @@ bool HybridRun::advance() {
     state_.t = t_end_;
     return true;
   }
-  const double h = control_.propose(state_.t, t_end_, time_to_rest_);
+  double h = control_.propose(state_.t, t_end_, time_to_rest_);
   if (!(h > smallest_step())) return fail(RunStatus::step_too_small, "a step of " + to_text(h) + " s");
-  OdeStep& stepper = control_.implicit(h, relaxation_) ? static_cast<OdeStep&>(implicit_) : explicit_;
+  OdeStep* method = &explicit_;
+  if (control_.implicit(h, relaxation_)) {
+    method = &implicit_;
+    h = std::min(h, longest_implicit * scales_.time);
+  }
+  OdeStep& stepper = *method;
   const double error = stepper.attempt(dynamics_, state_.t, y_, rate_, h, scale_);
   evaluations_ = dynamics_.evaluations();
   if (!control_.acceptable(error)) {
