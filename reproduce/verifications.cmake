@@ -77,10 +77,14 @@ contensou_run(bench_solvers "What the contact problem costs: measuring"
   TABLES cost_solvers cost_solvers_front cost_solver_ratios
   DRAWN_BY ${PROJECT_SOURCE_DIR}/bench/solvers/cost_solvers.gp DRAWINGS cost_solvers)
 
+contensou_run(bench_integrators "What the motion of the tippe-top costs: measuring"
+  TABLES cost_integrators cost_integrators_front cost_integrators_failures cost_integrators_aims
+  DRAWN_BY ${PROJECT_SOURCE_DIR}/bench/integrators/cost_integrators.gp DRAWINGS cost_integrators)
+
 # Measured times stand until the program changes; who asks for them by name wants them measured now.
 set(bench_commands "")
 set(bench_programs "")
-foreach(program IN ITEMS bench_laws bench_projection bench_solvers)
+foreach(program IN ITEMS bench_laws bench_projection bench_solvers bench_integrators)
   list(APPEND bench_commands COMMAND ${${program}_command})
   if(TARGET ${program})
     list(APPEND bench_programs ${program})

@@ -86,6 +86,24 @@ std::string cost_solvers(const fs::path&) {
          "Orange: Siconos.";
 }
 
+std::string cost_integrators(const fs::path& data) {
+  const Table table = contensou::read_table(data / "cost_integrators.tsv");
+  const auto of = [&](const char* method, const char* setting) {
+    return Selection(table).where("method", method).where("setting", setting);
+  };
+  const Selection best = of("event_driven", "axis, tolerance 1e-11"), rk4 = of("rk4", "axis, step 1e-04"),
+                  printed = of("rk4_printed", "axis, step 1e-04");
+  return fmt::format(
+      "Largest error of the times of all impacts before they accumulate, over the time of the 8 s of Section "
+      "5.4, and error of the inclination after 1 s, over the time of that. Event-driven with a tolerance of "
+      "10<sup>−11</sup>: {} s in {:.0f} ms. With steps of 10<sup>−4</sup> s Runge–Kutta 4 as printed leaves "
+      "{} s, this library’s {} s, in {:.2g} of the time. Hollow: in Euler angles; the top passes within "
+      "2·10<sup>−4</sup> rad of their singularity at 0.1441 s, where most fixed steps fail or lose their "
+      "accuracy.",
+      rounded_up(best.first("error"), 2), best.first("seconds") * 1e3, rounded(printed.first("error"), 2),
+      rounded_up(rk4.first("error"), 2), rk4.first("seconds") / printed.first("seconds"));
+}
+
 std::string robustness(const fs::path&) {
   return "Share of the random problems solved to 10<sup>−10</sup> within a time per problem, from a cold "
          "start.";
@@ -110,8 +128,13 @@ std::string siconos_patch(const fs::path& data) {
 
 std::string caption(const std::string& name, const fs::path& data) {
   static const std::map<std::string, std::string (*)(const fs::path&)> captions{
-      {"accuracy", accuracy},         {"augmented_r", augmented_r}, {"cost_projection", cost_projection},
-      {"cost_solvers", cost_solvers}, {"robustness", robustness},   {"siconos_patch", siconos_patch}};
+      {"accuracy", accuracy},
+      {"augmented_r", augmented_r},
+      {"cost_integrators", cost_integrators},
+      {"cost_projection", cost_projection},
+      {"cost_solvers", cost_solvers},
+      {"robustness", robustness},
+      {"siconos_patch", siconos_patch}};
   const auto words = captions.find(name);
   return words == captions.end() ? "" : words->second(data);
 }

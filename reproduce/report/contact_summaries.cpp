@@ -95,12 +95,15 @@ std::string siconos_ball_summary(const Table& table) {
 }
 
 std::string aims_summary(const Table& table) {
+  const auto duration = [](double seconds) {
+    return seconds < 1e-4 ? fmt::format("{:.0f} ns", seconds * 1e9) : fmt::format("{:.0f} ms", seconds * 1e3);
+  };
   const std::size_t unit = table.column("unit"), aim = table.column("aim"), reached = table.column("reached");
   std::string yes, no;
   for (const auto& row : table.rows) {
     if (row[aim] == "-") continue;
     const double value = number(row[table.column("value")]).value_or(NAN);
-    const std::string text = row[unit] == "s" ? fmt::format("{:.0f} ns", value * 1e9) : rounded(value, 2);
+    const std::string text = row[unit] == "s" ? duration(value) : rounded(value, 2);
     std::string& list = row[reached] == "yes" ? yes : no;
     list += fmt::format("{}{}: {}", list.empty() ? "" : "; ", escape(row[table.column("quantity")]), text);
   }

@@ -128,13 +128,17 @@ std::string contact_section(const fs::path& report) {
 }
 
 std::string cost_section(const fs::path& report) {
-  return shown(report, {{"The law", "cost_laws", {"cost_laws", "cost_laws_front", "cost_ratios"}},
-                        {"The projection on the friction ball",
-                         "cost_projection",
-                         {"cost_projection", "cost_projection_front", "cost_projection_aims"}},
-                        {"The contact problem",
-                         "cost_solvers",
-                         {"cost_solvers", "cost_solvers_front", "cost_solver_ratios"}}});
+  return shown(
+      report,
+      {{"The law", "cost_laws", {"cost_laws", "cost_laws_front", "cost_ratios"}},
+       {"The projection on the friction ball",
+        "cost_projection",
+        {"cost_projection", "cost_projection_front", "cost_projection_aims"}},
+       {"The contact problem", "cost_solvers", {"cost_solvers", "cost_solvers_front", "cost_solver_ratios"}},
+       {"The motion of the tippe-top",
+        "cost_integrators",
+        {"cost_integrators", "cost_integrators_front", "cost_integrators_failures",
+         "cost_integrators_aims"}}});
 }
 
 }  // namespace report

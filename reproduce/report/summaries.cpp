@@ -190,6 +190,7 @@ std::string summary(const std::string& name, const Table& table) {
       {"cost_ratios", cost_ratios},
       {"cost_projection_aims", aims_summary},
       {"cost_solver_ratios", aims_summary},
+      {"cost_integrators_aims", aims_summary},
       {"ball", ball_summary},
       {"robustness", robustness_summary},
       {"consistency", consistency_summary},
