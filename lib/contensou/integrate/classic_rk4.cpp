@@ -19,17 +19,19 @@ double ClassicRk4::attempt(OdeSystem& system, double t, const Eigen::VectorXd& y
   system.derivative(t + h / 2, argument_, k_[2]);
   argument_ = start_ + h * k_[2];
   system.derivative(t + h, argument_, k_[3]);
-  end_ = start_ + h / 6 * (k_[0] + 2 * (k_[1] + k_[2]) + k_[3]);
-  if (!end_.allFinite()) return std::numeric_limits<double>::infinity();
-  system.derivative(t + h, end_, end_rate_);
-  return end_rate_.allFinite() ? 0 : std::numeric_limits<double>::infinity();
+  argument_ = start_ + h / 6 * (k_[0] + 2 * (k_[1] + k_[2]) + k_[3]);
+  if (!argument_.allFinite()) return std::numeric_limits<double>::infinity();
+  system.derivative(t + h, argument_, k_[3]);
+  if (!k_[3].allFinite()) return std::numeric_limits<double>::infinity();
+  end_.swap(argument_);
+  end_rate_.swap(k_[3]);
+  return 0;
 }
 
 void ClassicRk4::interpolate(OdeSystem& /*system*/, double theta, Eigen::VectorXd& y) {
   const double rest = 1 - theta;
   y = rest * start_ + theta * end_ +
-      theta * rest *
-          (rest * h_ * k_[0] - theta * h_ * end_rate_ - (1 - 2 * theta) * (end_ - start_));
+      theta * rest * (rest * h_ * k_[0] - theta * h_ * end_rate_ - (1 - 2 * theta) * (end_ - start_));
 }
 
 }  // namespace contensou

@@ -37,6 +37,10 @@ const Eigen::VectorXd& ConstraintSolver::solve() {
     Eigen::Index i = 0, j = 0;
     const double pivot = eliminated_.bottomRightCorner(m - k, m - k).cwiseAbs().maxCoeff(&i, &j);
     if (!(pivot > dependent)) {
+      if (!matrix.allFinite()) {
+        solution_.setConstant(std::nan(""));
+        return solution_;
+      }
       Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition(m, m);
       decomposition.setThreshold(dependent);
       decomposition.compute(matrix);

@@ -20,7 +20,7 @@ class ConstraintSolver {
   Eigen::VectorXd side;
 
   void resize(Eigen::Index m);
-  /// x; valid until the next call.
+  /// x, not a number where A is not finite; valid until the next call.
   const Eigen::VectorXd& solve();
 
  private:

@@ -25,7 +25,7 @@ double norm(const Eigen::VectorXd& x, const Eigen::VectorXd& scale) {
 }  // namespace
 
 void Radau5::resize(Eigen::Index size, Eigen::Index coupled) {
-  for (Eigen::VectorXd* v : {&start_, &end_, &end_rate_, &argument_, &error_}) v->resize(size);
+  for (Eigen::VectorXd* v : {&start_, &start_rate_, &end_, &end_rate_, &argument_, &error_}) v->resize(size);
   for (auto* stages : {&z_, &k_}) {
     for (Eigen::VectorXd& v : *stages) v.resize(size);
   }
@@ -125,8 +125,8 @@ double Radau5::attempt(OdeSystem& system, double t, const Eigen::VectorXd& y, co
   const Eigen::Index n = system.coupled();
   if (start_.size() != y.size() || w_[0].size() != n) resize(y.size(), n);
   start_ = y;
-  error_ = rate;  // `rate` may be this object's own
-  system.jacobian(t, start_, error_, jacobian_);
+  start_rate_ = rate;
+  system.jacobian(t, start_, start_rate_, jacobian_);
   if (!jacobian_.allFinite()) return infinite;
   real_matrix_ = -jacobian_.topRows(n);
   complex_matrix_ = real_matrix_.cast<std::complex<double>>();
@@ -135,13 +135,15 @@ double Radau5::attempt(OdeSystem& system, double t, const Eigen::VectorXd& y, co
   real_.compute(real_matrix_);
   complex_.compute(complex_matrix_);
 
-  end_rate_ = error_;
   if (!solve_stages(system, t, h, scale)) return infinite;
-  const double error = estimate(system, t, h, end_rate_, scale);
+  const double error = estimate(system, t, h, start_rate_, scale);
   if (!std::isfinite(error)) return infinite;
-  end_ = start_ + z_[2];
-  system.derivative(t + h, end_, end_rate_);
-  return end_rate_.allFinite() ? error : infinite;
+  argument_ = start_ + z_[2];
+  system.derivative(t + h, argument_, k_[0]);
+  if (!k_[0].allFinite()) return infinite;
+  end_.swap(argument_);
+  end_rate_.swap(k_[0]);
+  return error;
 }
 
 void Radau5::interpolate(OdeSystem& /*system*/, double theta, Eigen::VectorXd& y) {

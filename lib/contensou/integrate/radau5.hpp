@@ -32,7 +32,7 @@ class Radau5 final : public OdeStep {
   double estimate(OdeSystem& system, double t, double h, const Eigen::VectorXd& rate,
                   const Eigen::VectorXd& scale);
 
-  Eigen::VectorXd start_, end_, end_rate_;
+  Eigen::VectorXd start_, start_rate_, end_, end_rate_;
   Eigen::MatrixXd jacobian_;
   Eigen::MatrixXd real_matrix_;
   Eigen::MatrixXcd complex_matrix_;
