@@ -1,0 +1,4 @@
+#include "checks.hpp"
+namespace verify::integrators {
+
+}
