@@ -18,6 +18,8 @@ void check_orders(const std::filesystem::path& folder, Record& record, Findings&
 void check_habits(const std::filesystem::path& folder, Record& record, Findings& found);
 /// Table 1 and Table 2 in a closed contact, their amplification and their impacts.
 void check_printed_contact(Record& record, Findings& found);
+/// The paper's top by the schemes the paper speaks of: integrator_paper_top.tsv.
+void check_paper_top(const std::filesystem::path& folder, Record& record, Findings& found);
 /// The rows of the ledger.
 void judge_sentences(Record& record, const Findings& found);
 

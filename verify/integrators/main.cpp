@@ -1,6 +1,7 @@
 // What each integrator does: measured orders in flight, slip, stick and rolling, through impacts and
 // accumulations; what becomes of rest, of inelastic impacts, of nutation and energy; and what LG03 says of it.
-// Writes integrator_orders.tsv, integrator_errors.tsv, integrator_habits.tsv, integrator_nutation.tsv.
+// Writes integrator_orders.tsv, integrator_errors.tsv, integrator_habits.tsv, integrator_nutation.tsv,
+// integrator_paper_top.tsv.
 //   verify_integrators [--out FOLDER]
 
 #include "checks.hpp"
@@ -15,6 +16,7 @@ int run(const std::filesystem::path& folder) {
   check_orders(folder, record, found);
   check_printed_contact(record, found);
   check_habits(folder, record, found);
+  check_paper_top(folder, record, found);
   judge_sentences(record, found);
   return record.finish(folder / "parts");
 }
