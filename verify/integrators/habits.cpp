@@ -152,6 +152,12 @@ std::optional<Rate> numerical_rate(Method method, bool axis, double omega, doubl
   return std::nullopt;
 }
 
+/// ln(amplitude) per second from the first window to the fourth.
+double growth(const Nutation& n) {
+  constexpr std::size_t last = 3;
+  return n.finished ? std::log(n.amplitude[last] / n.amplitude[0]) / (n.middle[last] - n.middle[0]) : NAN;
+}
+
 void nutate(const std::filesystem::path& folder, Habits& habits) {
   const std::array<SystemContact, 2> contacts =
       tippe_top_contacts(AnyFriction{FrictionBall(SmoothPlate(HertzLaw{}))});
@@ -173,9 +179,7 @@ void nutate(const std::filesystem::path& folder, Habits& habits) {
     const double omega = nutation_frequency(axis, place.in_axis, fitted);
     const std::string where = place.name;
     habits.found["nutation.frequency." + where] = omega;
-    habits.found["nutation.growth." + where] =
-        std::log(reference.amplitude.back() / reference.amplitude.front()) /
-        (reference.middle.back() - reference.middle.front());
+    habits.found["nutation.growth." + where] = growth(reference);
     const double start = energy(axis, place.in_axis);
     for (const Method method : schemes) {
       for (const bool in_axis : {true, false}) {
@@ -223,6 +227,12 @@ void nutate(const std::filesystem::path& folder, Habits& habits) {
     }
   }
   write_table(curves, folder / "integrator_nutation.tsv");
+  // The same on its tip, nearly upright: nutation that the contact damps.
+  constexpr double tip_time = 0.25;
+  const State upright = axis.start(M_PI - 0.1, -180);
+  const Nutation on_tip = nutation(axis, upright, tip_time, Method::event_driven, tight);
+  habits.found["nutation.growth.tip"] = growth(on_tip);
+  habits.found["nutation.frequency.tip"] = nutation_frequency(axis, upright, Nutation::window);
 }
 
 }  // namespace

@@ -126,6 +126,7 @@ const std::vector<double>& settings(const Motion& motion, Method method) {
 
 struct Measured {
   std::vector<double> settings, state, time;
+  std::vector<double> mean_step;  ///< over all paths [s]
   std::vector<std::string> status;
   bool refused = false, finished = true;
 };
@@ -134,7 +135,7 @@ Measured measure(const Motion& motion, Method method) {
   Measured m;
   m.settings = settings(motion, method);
   for (const double setting : m.settings) {
-    double state = 0, time = 0;
+    double state = 0, time = 0, duration = 0, steps = 0;
     std::string status = "finished";
     for (const Motion::Path& path : motion.paths) {
       const Run r = run(*motion.system, path.start, path.end.t, method, setting);
@@ -145,6 +146,8 @@ Measured measure(const Motion& motion, Method method) {
         state = time = std::nan("");
         break;
       }
+      duration += path.end.t - path.start.t;
+      steps += static_cast<double>(r.report.steps);
       state = std::max(state, difference(*motion.system, motion.rate, r.end, path.end));
       if (motion.timed)
         time = std::max(time, std::abs(last_closing(r.report.events).value_or(INFINITY) - path.last_closing));
@@ -152,6 +155,7 @@ Measured measure(const Motion& motion, Method method) {
     m.state.push_back(state);
     m.time.push_back(time);
     m.status.push_back(status);
+    m.mean_step.push_back(duration / steps);
   }
   return m;
 }
@@ -215,8 +219,9 @@ void check_orders(const std::filesystem::path& folder, Record& record, Findings&
       {"phase", "scheme", "quantity", "coarsest", "error_coarsest", "finest", "error_finest", "floor", "order",
        "low", "high", "verdict"},
       {}};
-  contensou::Table errors{{"The errors behind integrator_orders.tsv. setting: step [s] or tolerance."},
-                          {"phase", "scheme", "quantity", "setting", "error", "status"},
+  contensou::Table errors{{"The errors behind integrator_orders.tsv. setting: step [s] or tolerance; mean_step [s]: "
+                           "also of methods that choose their steps."},
+                          {"phase", "scheme", "quantity", "setting", "mean_step", "error", "status"},
                           {}};
   for (const Motion& motion : all_motions()) {
     record.add(Claim{"integrators.reference." + motion.phase, "verify/integrators",
@@ -244,7 +249,8 @@ void check_orders(const std::filesystem::path& folder, Record& record, Findings&
         orders.add({motion.phase, scheme, std::string(phase.quantity), m.settings.front(), e.front(),
                     m.settings.back(), e.back(), floor, j.order, j.low, j.high, j.verdict});
         for (std::size_t k = 0; k < e.size(); ++k) {
-          errors.add({motion.phase, scheme, std::string(phase.quantity), m.settings[k], e[k], m.status[k]});
+          errors.add({motion.phase, scheme, std::string(phase.quantity), m.settings[k], m.mean_step[k], e[k],
+                      m.status[k]});
         }
       }
     }
