@@ -61,6 +61,10 @@ contensou_run(verify_consistency "Verification: energy, power and order of conta
 contensou_run(verify_stability "Verification: stability of the spinning top"
   TABLES stability_growth fig11_simulated parts/claims-stability
   DRAWN_BY ${PROJECT_SOURCE_DIR}/verify/stability/stability_growth.gp DRAWINGS stability_growth)
+contensou_run(verify_integrators "Verification: orders and habits of the integrators"
+  TABLES integrator_orders integrator_errors integrator_habits integrator_nutation integrator_paper_top
+         parts/claims-integrators parts/ledger-integrators
+  DRAWN_BY ${PROJECT_SOURCE_DIR}/verify/integrators/integrators.gp DRAWINGS integrator_orders integrator_nutation)
 contensou_run(verify_siconos "Verification: against Siconos, points of contact and patches cut into points"
   OPTIONAL "Siconos is not installed"
   TABLES siconos_coulomb siconos_patch siconos_ball parts/claims-siconos
@@ -98,4 +102,4 @@ endif()
 set(verification_statuses
   ${verify_quadrature_status} ${verify_ledger_status} ${verify_plates_status} ${verify_ball_status} ${verify_accuracy_status}
   ${verify_augmented_status} ${verify_contact_status} ${verify_consistency_status} ${verify_stability_status}
-  ${verify_siconos_status})
+  ${verify_integrators_status} ${verify_siconos_status})

@@ -136,6 +136,7 @@ std::string page(const Evidence& evidence, const fs::path& sources, const fs::pa
                {"plates", plates_section(report)},
                {"ball", ball_section(report)},
                {"contact", contact_section(report)},
+               {"integrators", integrators_section(report)},
                {"cost", cost_section(report)},
                {"provenance", provenance()},
                {"programs", programs(evidence)}});
