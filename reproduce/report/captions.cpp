@@ -127,14 +127,20 @@ std::string siconos_patch(const fs::path& data) {
 std::string integrator_orders(const fs::path& data) {
   const Table table = contensou::read_table(data / "integrator_orders.tsv");
   const auto order = [&](const char* scheme, const char* phase) {
-    return rounded(
-        Selection(table).where("scheme", scheme).where("phase", phase).where("quantity", "state").first("order"),
-        2);
+    return rounded(Selection(table)
+                       .where("scheme", scheme)
+                       .where("phase", phase)
+                       .where("quantity", "state")
+                       .first("order"),
+                   2);
   };
   return fmt::format(
-      "The tippe-top: error at the end of a motion over the step, over its mean where the scheme chooses it; worst of "
-      "several places of an impact in its step. Dotted: orders 1, 2, 4. Table 2 (<code>rk4_printed</code>), said to be of "
-      "order four in smooth motion and one through impacts, has {} in flight, {} in slip, {} through an inelastic impact; "
+      "The tippe-top: error at the end of a motion over the step, over its mean where the scheme chooses it; "
+      "worst of "
+      "several places of an impact in its step. Dotted: orders 1, 2, 4. Table 2 (<code>rk4_printed</code>), "
+      "said to be of "
+      "order four in smooth motion and one through impacts, has {} in flight, {} in slip, {} through an "
+      "inelastic impact; "
       "<code>rk4</code> has {}, {}, {}. The printed schemes know no restitution.",
       order("rk4_printed", "flight"), order("rk4_printed", "slip_top"), order("rk4_printed", "impact_top"),
       order("rk4", "flight"), order("rk4", "slip_top"), order("rk4", "impact_top"));
@@ -153,9 +159,11 @@ std::string integrator_nutation(const fs::path& data) {
                    2);
   };
   return fmt::format(
-      "The nutation’s amplitude. Table 1 makes it grow until the numbers end, its fully implicit version deadens it; in "
+      "The nutation’s amplitude. Table 1 makes it grow until the numbers end, its fully implicit version "
+      "deadens it; in "
       "flight, for a step of 10<sup>−4</sup> s, at {} and {} s<sup>−1</sup>, "
-      "±<i>ω</i>²Δ<i>t</i>/2. On the floor the exact amplitude grows by slip, and with the nutation the top turns over.",
+      "±<i>ω</i>²Δ<i>t</i>/2. On the floor the exact amplitude grows by slip, and with the nutation the top "
+      "turns over.",
       rate("moreau_printed"), rate("moreau_implicit"));
 }
 

@@ -128,10 +128,11 @@ std::string contact_section(const fs::path& report) {
 }
 
 std::string integrators_section(const fs::path& report) {
-  return shown(report, {{"Orders", "integrator_orders", {"integrator_orders", "integrator_errors"}},
-                        {"Nutation, rest, energy", "integrator_nutation",
-                         {"integrator_habits", "integrator_nutation"}},
-                        {"The paper’s top by the paper’s schemes", "", {"integrator_paper_top"}}});
+  return shown(
+      report,
+      {{"Orders", "integrator_orders", {"integrator_orders", "integrator_errors"}},
+       {"Nutation, rest, energy", "integrator_nutation", {"integrator_habits", "integrator_nutation"}},
+       {"The paper’s top by the paper’s schemes", "", {"integrator_paper_top"}}});
 }
 
 std::string cost_section(const fs::path& report) {

@@ -172,6 +172,7 @@ std::string verdicts(const Table& table, const char* what) {
 }
 
 std::string claims(const Table& table) { return verdicts(table, "claims"); }
+std::string integrator_orders(const Table& table) { return verdicts(table, "errors of seven schemes"); }
 std::string ledger(const Table& table) { return verdicts(table, "equations and sentences"); }
 
 }  // namespace
@@ -196,6 +197,7 @@ std::string summary(const std::string& name, const Table& table) {
       {"consistency", consistency_summary},
       {"siconos_coulomb", siconos_coulomb_summary},
       {"siconos_ball", siconos_ball_summary},
+      {"integrator_orders", integrator_orders},
       {"claims", claims},
       {"ledger", ledger}};
   const auto sentence = sentences.find(name);

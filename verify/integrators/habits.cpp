@@ -1,9 +1,10 @@
-// What a scheme does where nothing should happen: a body that fell inelastically, a block at rest, energy; and
-// to the nutation of the top, in the air and on the floor.
+// What a scheme does where nothing should happen: a body that fell inelastically, a block at rest, energy;
+// and to the nutation of the top, in the air and on the floor.
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "checks.hpp"
@@ -81,7 +82,8 @@ void drop(Method method, double setting, Habits& habits) {
   habits.note("drop", method, "", setting, "landing_error", landed);
   const bool rebounds = method == Method::rk4_printed;
   habits.claim("drop.rebound", method, setting,
-               "an inelastic impact leaves no velocity upwards: largest, over the impact's", up, 1e-9, !rebounds);
+               "an inelastic impact leaves no velocity upwards: largest, over the impact's", up, 1e-9,
+               !rebounds);
   // One step at the impact's speed, 1.42 m/s; of the others a step's own curvature, gΔt², or rounding.
   const bool printed = method == Method::moreau_printed || rebounds;
   const double deep = printed ? 1.5 * setting : has_fixed_step(method) ? gravity * setting * setting : 1e-9;
@@ -147,8 +149,7 @@ std::optional<Rate> numerical_rate(Method method, bool axis, double omega, doubl
   if (method == Method::moreau) return Rate{0, y * y * y * omega};
   if (method == Method::rk4) return Rate{-std::pow(y, 5) / 144 * omega, std::pow(y, 5) / 144 * omega};
   // h taken at the old velocity is forward Euler for the gyroscopic forces of Euler's angles.
-  if (method == Method::moreau_printed && !axis && y < 0.02)
-    return Rate{y * omega / 2, 0.1 * y * omega / 2};
+  if (method == Method::moreau_printed && !axis && y < 0.02) return Rate{y * omega / 2, 0.1 * y * omega / 2};
   return std::nullopt;
 }
 
@@ -167,13 +168,14 @@ void nutate(const std::filesystem::path& folder, Habits& habits) {
   const Place places[] = {{"flight", fitted, thrown(axis.start(0.7, 180, 1), Vector3d(20, 0, 0)),
                            thrown(euler.start(0.7, 180, 1), Vector3d(20, 0, 0))},
                           {"floor", 1.2, axis.start(0.1, 180), euler.start(0.1, 180)}};
-  Table curves{{"Amplitude of the nutation [rad/s], root of the mean square of |d e/dt| of the axis e in windows of "
-                "0.05 s about t [s], beside the reference's (event_driven, 1e-12).",
-                "where: flight (free, 20 rad/s across the axis), floor (the start of LG03 5.4, Hertz). formulation: "
-                "axis, or the Euler angles of LG03. setting: step [s] or tolerance.",
-                "A curve that ends early is a run that did."},
-               {"where", "scheme", "formulation", "setting", "t", "amplitude", "reference"},
-               {}};
+  Table curves{
+      {"Amplitude of the nutation [rad/s], root of the mean square of |d e/dt| of the axis e in windows of "
+       "0.05 s about t [s], beside the reference's (event_driven, 1e-12).",
+       "where: flight (free, 20 rad/s across the axis), floor (the start of LG03 5.4, Hertz). formulation: "
+       "axis, or the Euler angles of LG03. setting: step [s] or tolerance.",
+       "A curve that ends early is a run that did."},
+      {"where", "scheme", "formulation", "setting", "t", "amplitude", "reference"},
+      {}};
   for (const Place& place : places) {
     const Nutation reference = nutation(axis, place.in_axis, place.duration, Method::event_driven, tight);
     const double omega = nutation_frequency(axis, place.in_axis, fitted);
@@ -183,10 +185,10 @@ void nutate(const std::filesystem::path& folder, Habits& habits) {
     const double start = energy(axis, place.in_axis);
     for (const Method method : schemes) {
       for (const bool in_axis : {true, false}) {
-        const auto settings = has_fixed_step(method) ? std::vector<double>(std::begin(nutation_steps),
-                                                                           std::end(nutation_steps))
-                                                     : std::vector<double>(std::begin(nutation_tolerances),
-                                                                           std::end(nutation_tolerances));
+        const auto settings =
+            has_fixed_step(method)
+                ? std::vector<double>(std::begin(nutation_steps), std::end(nutation_steps))
+                : std::vector<double>(std::begin(nutation_tolerances), std::end(nutation_tolerances));
         for (const double setting : settings) {
           const TippeTopModel& top = in_axis ? static_cast<const TippeTopModel&>(axis) : euler;
           const Nutation n =
@@ -209,18 +211,18 @@ void nutate(const std::filesystem::path& folder, Habits& habits) {
           const std::string id = "nutation." + where + "." + formulation;
           if (const auto forecast = numerical_rate(method, in_axis, omega, setting);
               forecast && where == "flight") {
-            habits.record.add(Claim{"integrators." + id + "." + name(method) + "." + text(setting), "integrators",
-                                    std::string(name(method)) + ", " + text(setting) +
-                                        " s: numerical growth of the nutation in flight [1/s]",
-                                    forecast->expected, rate, std::abs(rate - forecast->expected), forecast->bound,
-                                    true});
+            habits.record.add(
+                Claim{"integrators." + id + "." + name(method) + "." + text(setting), "integrators",
+                      std::string(name(method)) + ", " + text(setting) +
+                          " s: numerical growth of the nutation in flight [1/s]",
+                      forecast->expected, rate, std::abs(rate - forecast->expected), forecast->bound, true});
           }
           const bool finest = setting == settings.back();
           if (where == "floor" && in_axis && finest &&
               (method == Method::rk4 || method == Method::event_driven)) {
             habits.claim("energy.slip", method, setting,
-                         "kinetic, potential and dissipated energy of 1.2 s of slip add up, relative", std::abs(balance),
-                         1e-9);
+                         "kinetic, potential and dissipated energy of 1.2 s of slip add up, relative",
+                         std::abs(balance), 1e-9);
           }
         }
       }
@@ -229,7 +231,7 @@ void nutate(const std::filesystem::path& folder, Habits& habits) {
   write_table(curves, folder / "integrator_nutation.tsv");
   // The same on its tip, nearly upright: nutation that the contact damps.
   constexpr double tip_time = 0.25;
-  const State upright = axis.start(M_PI - 0.1, -180);
+  const State upright = axis.start(std::numbers::pi - 0.1, -180);
   const Nutation on_tip = nutation(axis, upright, tip_time, Method::event_driven, tight);
   habits.found["nutation.growth.tip"] = growth(on_tip);
   habits.found["nutation.frequency.tip"] = nutation_frequency(axis, upright, Nutation::window);
@@ -246,7 +248,8 @@ void check_habits(const std::filesystem::path& folder, Record& record, Findings&
        "there or set down from 1 mm.",
        "nutation_flight, nutation_floor: the top, LG03 5.4. numerical_rate [1/s]: growth of the nutation's "
        "amplitude beside the exact motion's, over 0.4 s; amplitude_ratio at the end (0.4 s, 1.2 s); "
-       "energy_balance: what is missing or too much, energy_error: difference to the exact motion's, both over "
+       "energy_balance: what is missing or too much, energy_error: difference to the exact motion's, both "
+       "over "
        "the energy at the start.",
        "finished_until: the run's end [s], early where it broke down."},
       {"what", "scheme", "formulation", "setting", "quantity", "value"},

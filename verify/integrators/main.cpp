@@ -1,6 +1,6 @@
 // What each integrator does: measured orders in flight, slip, stick and rolling, through impacts and
-// accumulations; what becomes of rest, of inelastic impacts, of nutation and energy; and what LG03 says of it.
-// Writes integrator_orders.tsv, integrator_errors.tsv, integrator_habits.tsv, integrator_nutation.tsv,
+// accumulations; what becomes of rest, of inelastic impacts, of nutation and energy; and what LG03 says of
+// it. Writes integrator_orders.tsv, integrator_errors.tsv, integrator_habits.tsv, integrator_nutation.tsv,
 // integrator_paper_top.tsv.
 //   verify_integrators [--out FOLDER]
 

@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "contensou/system/ball_on_plane.hpp"
@@ -33,8 +32,8 @@ const AnyFriction point{FrictionDisk{}};
 const AnyFriction hertz{FrictionBall(SmoothPlate(HertzLaw{}))};
 
 constexpr double gravity = 9.81;
-constexpr double spin = 180;       ///< LG03 5.4 [rad/s]
-constexpr double top_rate = 100;   ///< of the size of the top's spin
+constexpr double spin = 180;      ///< LG03 5.4 [rad/s]
+constexpr double top_rate = 100;  ///< of the size of the top's spin
 constexpr double reference_tolerance = 1e-13;
 constexpr double check_tolerance = 1e-12;
 
@@ -81,17 +80,20 @@ State flown(const TippeTopAxis& top, const State& start, double t) {
 Motion flight() {
   const auto top = top_with(hertz, 0.3);
   const State start = top_in_flight(*top);
-  return {"flight", "the top in free flight, nutating", "closed form", top, top_rate,
-          {to(start, flown(*top, start, 0.05))}, top_steps};
+  return {"flight", "the top in free flight, nutating",    "closed form", top,
+          top_rate, {to(start, flown(*top, start, 0.05))}, top_steps};
 }
 
 Motion oscillation() {
   const auto system = std::make_shared<HarmonicOscillator>(HarmonicOscillatorData{.m = 2, .k = 18});
   const double t = 2, w = system->frequency();
-  return {"oscillation", "a harmonic oscillator, ω = 3/s", "closed form", system, w,
-          {to({0, numbers({1}), numbers({0.5})},
-              {t, numbers({std::cos(w * t) + 0.5 / w * std::sin(w * t)}),
-               numbers({0.5 * std::cos(w * t) - w * std::sin(w * t)})})},
+  return {"oscillation",
+          "a harmonic oscillator, ω = 3/s",
+          "closed form",
+          system,
+          w,
+          {to({0, numbers({1}), numbers({0.5})}, {t, numbers({std::cos(w * t) + 0.5 / w * std::sin(w * t)}),
+                                                  numbers({0.5 * std::cos(w * t) - w * std::sin(w * t)})})},
           {4e-2, 2e-2, 1e-2, 5e-3}};
 }
 
@@ -102,10 +104,15 @@ Motion slip_top() {
   const State start = top->start(0.1, spin);
   const double t = 0.02;
   const State end = smooth_reference(*top, Kept::slip, start, t, 400);
-  Motion motion{"slip_top", "the paper's start: the top slips and drills on its body, Hertz",
-                "Fehlberg's method of order 8 for the slipping top; checked: event_driven", top, top_rate,
-                {to(start, end)}, top_steps};
-  motion.doubt = difference(*top, top_rate, end, run(*top, start, t, Method::event_driven, reference_tolerance).end);
+  Motion motion{"slip_top",
+                "the paper's start: the top slips and drills on its body, Hertz",
+                "Fehlberg's method of order 8 for the slipping top; checked: event_driven",
+                top,
+                top_rate,
+                {to(start, end)},
+                top_steps};
+  motion.doubt =
+      difference(*top, top_rate, end, run(*top, start, t, Method::event_driven, reference_tolerance).end);
   return motion;
 }
 
@@ -114,11 +121,15 @@ Motion slip_disc() {
   const auto disc = std::make_shared<SlidingDisc>(SlidingDiscData{.m = m, .i = i, .g = gravity},
                                                   SystemContact{"floor", hertz, mu, radius, 0});
   const double v = 0.5, omega = 3;  // u from 0.28 down to 0: does not pass u = 1
-  const known::SlideAndSpin<HertzLaw> slide(HertzLaw{}, mu * gravity, mu * gravity * m * radius * radius / i, v,
-                                            omega * radius);
+  const known::SlideAndSpin<HertzLaw> slide(HertzLaw{}, mu * gravity, mu * gravity * m * radius * radius / i,
+                                            v, omega * radius);
   const double t = 0.5 * slide.stopping_time();
   const auto at = slide.at(t);
-  return {"slip_disc", "a disc slides and spins, Hertz, up to half the time to rest", "quadrature", disc, 1,
+  return {"slip_disc",
+          "a disc slides and spins, Hertz, up to half the time to rest",
+          "quadrature",
+          disc,
+          1,
           {to({0, numbers({0, 0, 0, 0}), numbers({v, 0, 0, omega})},
               {t, numbers({at.slid, 0, 0, at.turned / radius}), numbers({at.v, 0, 0, at.s / radius})})},
           {t / 20, t / 40, t / 80, t / 160}};
@@ -131,8 +142,11 @@ Motion slip_point() {
   const known::PointSlide slide(Vector2d(0.5, 2), gravity * std::sin(tilt), mu * gravity * std::cos(tilt));
   const double t = 0.5 * slide.stopping_time();
   const auto at = slide.at(t);
-  return {"slip_point", "a block slides across an incline, Coulomb, up to half the time to rest", "closed form",
-          block, 1,
+  return {"slip_point",
+          "a block slides across an incline, Coulomb, up to half the time to rest",
+          "closed form",
+          block,
+          1,
           {to({0, numbers({0, 0, 0}), numbers({0.5, 2, 0})},
               {t, numbers({at.displacement.x(), at.displacement.y(), 0}),
                numbers({at.velocity.x(), at.velocity.y(), 0})})},
@@ -150,10 +164,15 @@ Motion roll_top() {
   start.u.head<3>() -= Vector3d(rows.velocity[1], rows.velocity[2], rows.velocity[0]);
   const double t = 0.1;
   const State end = smooth_reference(*top, Kept::roll, start, t, 400);
-  Motion motion{"roll_top", "the top rolls on its body, R = 0, μ = 5",
-                "Fehlberg's method of order 8 for the rolling top; checked: event_driven", top, top_rate,
-                {to(start, end)}, top_steps};
-  motion.doubt = difference(*top, top_rate, end, run(*top, start, t, Method::event_driven, reference_tolerance).end);
+  Motion motion{"roll_top",
+                "the top rolls on its body, R = 0, μ = 5",
+                "Fehlberg's method of order 8 for the rolling top; checked: event_driven",
+                top,
+                top_rate,
+                {to(start, end)},
+                top_steps};
+  motion.doubt =
+      difference(*top, top_rate, end, run(*top, start, t, Method::event_driven, reference_tolerance).end);
   return motion;
 }
 
@@ -162,18 +181,28 @@ Motion roll_ball() {
   const auto ball = std::make_shared<BallOnPlane>(BallOnPlaneData{.m = 1, .r = 1, .g = gravity, .tilt = tilt},
                                                   SystemContact{"plane", point, 0.5, 0, 0});
   const double a = 5.0 / 7 * gravity * std::sin(tilt);
-  return {"roll_ball", "a ball rolls down an incline, Coulomb", "closed form", ball, 1,
+  return {"roll_ball",
+          "a ball rolls down an incline, Coulomb",
+          "closed form",
+          ball,
+          1,
           {to({0, numbers({0, 0, 1}), VectorXd::Zero(6)},
               {t, numbers({a * t * t / 2, 0, 1}), numbers({a * t, 0, 0, 0, a * t, 0})})},
           {4e-3, 2e-3, 1e-3, 5e-4}};
 }
 
 Motion stick_block() {
-  const auto block = std::make_shared<PointMass>(
-      PointMassData{.m = 2, .g = gravity, .tilt = 0.2, .force_y = 1}, SystemContact{"floor", point, 0.5, 0, 0});
+  const auto block =
+      std::make_shared<PointMass>(PointMassData{.m = 2, .g = gravity, .tilt = 0.2, .force_y = 1},
+                                  SystemContact{"floor", point, 0.5, 0, 0});
   const State start{0, VectorXd::Zero(3), VectorXd::Zero(3)};
-  return {"stick_block", "a block is held on an incline by friction, Coulomb", "closed form", block, 1,
-          {to(start, {1, start.q, start.u})}, {4e-3, 2e-3, 1e-3, 5e-4}};
+  return {"stick_block",
+          "a block is held on an incline by friction, Coulomb",
+          "closed form",
+          block,
+          1,
+          {to(start, {1, start.q, start.u})},
+          {4e-3, 2e-3, 1e-3, 5e-4}};
 }
 
 // --- impacts ---
@@ -206,7 +235,8 @@ Motion impact_point(const char* phase, const char* what, double restitution) {
 Motion impact_top(const char* phase, const char* what, double restitution) {
   const auto top = top_with(hertz, 0.3, restitution);
   const TippeTopEuler euler(TippeTopData{}, tippe_top_contacts(hertz, 0.3, 5e-4, restitution));
-  Motion motion{phase, what, "event_driven, 1e-13; checked: in Euler angles, 1e-12", top, top_rate, {}, top_steps};
+  Motion motion{phase, what,     "event_driven, 1e-13; checked: in Euler angles, 1e-12", top, top_rate,
+                {},    top_steps};
   const double t = 0.03, theta = 0.3;
   for (int k = 0; k < 8; ++k) {
     const double z = top->start(theta, spin).q[2] + 2e-3 + 3.1e-5 * k;
@@ -225,8 +255,13 @@ Motion impact_top(const char* phase, const char* what, double restitution) {
 // --- accumulation ---
 
 Motion bouncing_ball() {
-  Motion motion{"accumulation_ball", "a ball bounces to rest and slides, ε = 0.6", "closed form",
-                thrown_point(0.3, 0.6), 1, {}, {8e-3, 4e-3, 2e-3, 1e-3, 5e-4}};
+  Motion motion{"accumulation_ball",
+                "a ball bounces to rest and slides, ε = 0.6",
+                "closed form",
+                thrown_point(0.3, 0.6),
+                1,
+                {},
+                {8e-3, 4e-3, 2e-3, 1e-3, 5e-4}};
   for (int k = 0; k < 8; ++k) motion.paths.push_back(thrown(0.1 + 3.7e-4 * k, 3, 0.3, 0.6, 0.7));
   motion.timed = true;
   return motion;
@@ -235,8 +270,13 @@ Motion bouncing_ball() {
 /// The paper's top shortly before its body touches again, rocking to rest in double contact.
 Motion rocking_top() {
   const auto top = top_with(hertz, 0.3);
-  Motion motion{"accumulation_top", "the paper's top rocks to rest on body and tip, 4.74 s to 4.91 s",
-                "event_driven, 1e-13; checked: 1e-12", top, top_rate, {}, top_steps,
+  Motion motion{"accumulation_top",
+                "the paper's top rocks to rest on body and tip, 4.74 s to 4.91 s",
+                "event_driven, 1e-13; checked: 1e-12",
+                top,
+                top_rate,
+                {},
+                top_steps,
                 {1e-4, 5e-5, 2.5e-5, 1.25e-5}};
   const double before = 4.74, after = 4.91;
   State start = run(*top, paper_start(), before, Method::event_driven, reference_tolerance).end;

@@ -22,7 +22,7 @@ struct Motion {
   std::shared_ptr<const contensou::MechanicalSystem> system;
   double rate;  ///< scale of velocities [1/s]
   std::vector<Path> paths;
-  std::vector<double> steps;       ///< of rk4
+  std::vector<double> steps;            ///< of rk4
   std::vector<double> fine_steps = {};  ///< of schemes of lower order; empty: the same
   bool timed = false;
   /// Largest differences between the reference and the one it was checked against; 0 for closed forms.

@@ -24,7 +24,8 @@ Nutation nutation(const contensou::TippeTopModel& top, const contensou::State& s
                   contensou::Method method, double setting);
 
 /// The angular frequency at which ė turns.
-double nutation_frequency(const contensou::TippeTopModel& top, const contensou::State& start, double duration);
+double nutation_frequency(const contensou::TippeTopModel& top, const contensou::State& start,
+                          double duration);
 
 /// Slope of ln(amplitude/of the reference) over time up to `until` [1/s], least squares. NaN where fewer than
 /// three windows are there.

@@ -16,7 +16,8 @@ namespace {
 using namespace contensou;
 
 constexpr double end = 5, interval = 0.1;
-constexpr double early = 1, late = 3;  ///< where the inclination is read: before the stick touches, and upright
+constexpr double early = 1,
+                 late = 3;  ///< where the inclination is read: before the stick touches, and upright
 
 struct Told {
   double finished_until;
@@ -58,12 +59,14 @@ void check_paper_top(const std::filesystem::path& folder, Record& record, Findin
   const auto contacts = tippe_top_contacts(AnyFriction{FrictionBall(SmoothPlate(HertzLaw{}))});
   const TippeTopAxis axis{TippeTopData{}, contacts};
   const TippeTopEuler euler{TippeTopData{}, contacts};
-  Table table{{"The top of LG03 5.4 from its start, Hertz, to 5 s (Euler's angles: 1 s), by the schemes LG03 speaks of; "
-               "first row: the reference. SI units, rad.",
-               "theta_1s: before the stick touches; theta_3s: upright. tip: when the stick first touches; body: when "
-               "the body touches again, after 3 s. finished_until: earlier where the run broke down."},
-              {"scheme", "formulation", "step", "finished_until", "theta_1s", "theta_3s", "tip", "body"},
-              {}};
+  Table table{
+      {"The top of LG03 5.4 from its start, Hertz, to 5 s (Euler's angles: 1 s), by the schemes LG03 speaks "
+       "of; "
+       "first row: the reference. SI units, rad.",
+       "theta_1s: before the stick touches; theta_3s: upright. tip: when the stick first touches; body: when "
+       "the body touches again, after 3 s. finished_until: earlier where the run broke down."},
+      {"scheme", "formulation", "step", "finished_until", "theta_1s", "theta_3s", "tip", "body"},
+      {}};
   const auto add = [&](Method method, const char* formulation, double step, const Told& t) {
     table.add({std::string(name(method)), std::string(formulation), step, t.finished_until, t.theta_early,
                t.theta_late, t.tip, t.body});
@@ -99,15 +102,17 @@ void check_paper_top(const std::filesystem::path& folder, Record& record, Findin
   }
   const double least = least_inclination(axis);
   found["top.least_inclination"] = least;
-  // Where θ is small φ̇ = (speed of the axis across)/θ: θ changes by its own size in a step of θ/‖ė‖, ‖ė‖ being
-  // some 6 rad/s.
-  record.add(Claim{"integrators.top.singular", "LG03 5.4, Euler's angles",
-                   "the top of 5.4 stays away from theta = 0, where Euler's angles end, by more than a step of 1e-4 s "
-                   "moves its axis, 6e-4 rad: least inclination in 0.2 s [rad]",
-                   6e-4, least, std::max(0.0, 6e-4 - least), 0, false});
-  record.add(Claim{"integrators.top.order.rk4_printed", "LG03 Table 2",
-                   "rk4_printed on the paper's top: order of the inclination's error after 1 s, before any impact",
-                   1, found["top.order.rk4_printed"], std::abs(found["top.order.rk4_printed"] - 1), 0.25, true});
+  // Where θ is small φ̇ = (speed of the axis across)/θ: θ changes by its own size in a step of θ/‖ė‖, ‖ė‖
+  // being some 6 rad/s.
+  record.add(Claim{
+      "integrators.top.singular", "LG03 5.4, Euler's angles",
+      "the top of 5.4 stays away from theta = 0, where Euler's angles end, by more than a step of 1e-4 s "
+      "moves its axis, 6e-4 rad: least inclination in 0.2 s [rad]",
+      6e-4, least, std::max(0.0, 6e-4 - least), 0, false});
+  record.add(
+      Claim{"integrators.top.order.rk4_printed", "LG03 Table 2",
+            "rk4_printed on the paper's top: order of the inclination's error after 1 s, before any impact",
+            1, found["top.order.rk4_printed"], std::abs(found["top.order.rk4_printed"] - 1), 0.25, true});
   write_table(table, folder / "integrator_paper_top.tsv");
 }
 

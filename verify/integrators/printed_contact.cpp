@@ -18,7 +18,8 @@ using Eigen::Vector3d;
 constexpr double mass = 2, gravity = 9.81, friction = 0.5;
 
 PointMass point_on_floor(double mu) {
-  return {PointMassData{.m = mass, .g = gravity}, SystemContact{"floor", AnyFriction{FrictionDisk{}}, mu, 0, 0}};
+  return {PointMassData{.m = mass, .g = gravity},
+          SystemContact{"floor", AnyFriction{FrictionDisk{}}, mu, 0, 0}};
 }
 
 /// R(z) of Runge, Kutta's method of order 4.
@@ -29,8 +30,8 @@ struct Growth {
   double spread;  ///< largest less smallest of them
 };
 
-/// In the floor by what integrate() takes for rounding, and sinking by far less in all steps together, so that
-/// all stages touch; so slow that friction's bounds are far.
+/// In the floor by what integrate() takes for rounding, and sinking by far less in all steps together, so
+/// that all stages touch; so slow that friction's bounds are far.
 Growth growth(Method method, int steps) {
   const PointMass point = point_on_floor(friction);
   const double dt = 1e-9;
@@ -96,11 +97,12 @@ Rebounds rebounds(Method method, double dt) {
 void check_printed_contact(Record& record, Findings& found) {
   const double predicted = amplification(-4);
   const Growth two = growth(Method::rk4_printed, 8), one = growth(Method::moreau_printed, 8);
-  record.add(Claim{"integrators.printed.growth.rk4_printed", "LG03 Table 2",
-                   "a contact that sticks in all stages multiplies a small sliding velocity by R(-4) of the method "
-                   "of order 4 (a_m = -4 gamma/dt) in each of 8 steps",
-                   predicted, two.factor, std::max(std::abs(two.factor / predicted - 1), two.spread / predicted),
-                   1e-6, true});
+  record.add(
+      Claim{"integrators.printed.growth.rk4_printed", "LG03 Table 2",
+            "a contact that sticks in all stages multiplies a small sliding velocity by R(-4) of the method "
+            "of order 4 (a_m = -4 gamma/dt) in each of 8 steps",
+            predicted, two.factor, std::max(std::abs(two.factor / predicted - 1), two.spread / predicted),
+            1e-6, true});
   record.add(Claim{"integrators.printed.stable.rk4_printed", "LG03 Table 2",
                    "a contact that sticks is linearly stable: the factor is at most 1", 1, two.factor,
                    two.factor - 1, 0, false});
@@ -110,8 +112,8 @@ void check_printed_contact(Record& record, Findings& found) {
   found["growth.rk4_printed"] = two.factor;
   found["growth.moreau_printed"] = one.factor;
 
-  // What it grows to: stages of -mu g and +mu g in turn, over a step of dt, so some part of mu g dt; and not less
-  // than where the linear law ends, |4 gamma| = mu g dt.
+  // What it grows to: stages of -mu g and +mu g in turn, over a step of dt, so some part of mu g dt; and not
+  // less than where the linear law ends, |4 gamma| = mu g dt.
   for (const double dt : {1e-3, 1e-4}) {
     const double large = ringing(Method::rk4_printed, dt);
     record.add(Claim{"integrators.printed.ringing.rk4_printed." + text(dt), "LG03 Table 2",
@@ -130,15 +132,15 @@ void check_printed_contact(Record& record, Findings& found) {
   // From (1/9) v to (1/3) v; gravity adds some g dt each step.
   const double off = std::max(std::abs(fine.least - 1.0 / 9), std::abs(fine.most - 1.0 / 3));
   record.add(Claim{"integrators.printed.rebound.rk4_printed", "LG03 Table 2",
-                   "an inelastic impact throws back with 1/9 to 1/3 of its speed, dt = 1e-7 s: largest", 1.0 / 3,
-                   fine.most, off, 1e-6, true});
+                   "an inelastic impact throws back with 1/9 to 1/3 of its speed, dt = 1e-7 s: largest",
+                   1.0 / 3, fine.most, off, 1e-6, true});
   record.add(Claim{"integrators.printed.inelastic.rk4_printed", "LG03 Table 2",
-                   "an inelastic impact leaves no velocity upwards, dt = 1e-7 s: largest, over the impact's", 0,
-                   fine.most, fine.most, 1e-6, false});
+                   "an inelastic impact leaves no velocity upwards, dt = 1e-7 s: largest, over the impact's",
+                   0, fine.most, fine.most, 1e-6, false});
   const Rebounds moreau = rebounds(Method::moreau_printed, 1e-7);
   record.add(Claim{"integrators.printed.inelastic.moreau_printed", "LG03 Table 1",
-                   "an inelastic impact leaves no velocity upwards, dt = 1e-7 s: largest, over the impact's", 0,
-                   moreau.most, moreau.most, 1e-6, true});
+                   "an inelastic impact leaves no velocity upwards, dt = 1e-7 s: largest, over the impact's",
+                   0, moreau.most, moreau.most, 1e-6, true});
   found["rebound.least.rk4_printed"] = fine.least;
   found["rebound.most.rk4_printed"] = fine.most;
   found["rebound.coarse.rk4_printed"] = coarse.most;

@@ -39,7 +39,8 @@ contensou::State smooth_reference(const MechanicalSystem& system, Kept kept, con
   ContactRows rows(f);
   VectorXd rates(n), a(f);
   const auto derivative = [&](const Numbers& y, Numbers& dy, double t) {
-    const VectorXd q = Eigen::Map<const VectorXd>(y.data(), n), u = Eigen::Map<const VectorXd>(y.data() + n, f);
+    const VectorXd q = Eigen::Map<const VectorXd>(y.data(), n),
+                   u = Eigen::Map<const VectorXd>(y.data() + n, f);
     system.coordinate_rates(q, u, rates);
     system.free_acceleration(t, q, u, a);
     system.contact_rows(0, t, q, u, rows);
