@@ -14,7 +14,7 @@ namespace {
 
 using contensou::EventKind;
 
-constexpr double shortest_told = 1e-6;  // [s] before an accumulation
+constexpr double shortest_told = 1e-5;  // [s] before an accumulation
 
 contensou::AnyFriction friction(Pressure pressure) {
   if (pressure == Pressure::hertz) {
@@ -49,7 +49,7 @@ contensou::Table motion_table(const std::string& figure, const std::string& what
 }
 
 contensou::Table event_table(const std::string& figure, const std::string& what) {
-  return motion_table(figure, what + "; impacts less than 1e-6 s before their accumulation left out", "s",
+  return motion_table(figure, what + "; impacts less than 1e-5 s before their accumulation left out", "s",
                       {"run", "t", "event", "contact"});
 }
 

@@ -9,7 +9,8 @@
 /// The motion of LG03 5.4 as the figures and the animation draw it.
 namespace reproduce {
 
-/// Of the local error of a step. What becomes of it until a sample is read: tests/figures/compare_motions.cpp.
+/// Of the local error of a step. What becomes of it until a sample is read:
+/// tests/figures/compare_motions.cpp.
 constexpr double motion_tolerance = 1e-12;
 constexpr double motion_end = 8;  ///< [s], LG03 Figs. 9, 10 and 12
 

@@ -8,7 +8,8 @@ namespace reference {
 /// One step of the Gragg–Bulirsch–Stoer method: the modified midpoint rule with 2, 4, ... 2k substeps,
 /// extrapolated in h² to order 2k. Writes the difference of the last two columns into `error`.
 template <std::size_t columns, class Vector, class Function>
-Vector extrapolated_step(const Function& f, const Vector& x, const typename Vector::value_type& h, Vector& error) {
+Vector extrapolated_step(const Function& f, const Vector& x, const typename Vector::value_type& h,
+                         Vector& error) {
   using Real = typename Vector::value_type;
   const Vector slope = f(x);
   std::array<Vector, columns> row;  // Aitken–Neville, overwritten from the right

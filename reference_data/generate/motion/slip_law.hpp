@@ -34,7 +34,8 @@ enum class Pressure { uniform, hertz };
 template <class Real>
 class SlipLaw {
  public:
-  explicit SlipLaw(Pressure pressure) : pressure_(pressure), n_(pressure == Pressure::hertz ? Real(1) / 2 : 0) {
+  explicit SlipLaw(Pressure pressure)
+      : pressure_(pressure), n_(pressure == Pressure::hertz ? Real(1) / 2 : 0) {
     using std::acos;
     pi_ = acos(Real(-1));
     force_ = pressure == Pressure::hertz ? 3 * pi_ / 16 : Real(2) / 3;

@@ -16,11 +16,12 @@ namespace reference {
 
 /// The tippe-top of LG03 5.4 once more, from Newton and Euler: place and velocity of S, axis e, angular
 /// momentum L about S, all in the floor's axes.
-///     ω = L/I_1 + (1/I_3 − 1/I_1)(L·e)e,   ė = L × e/I_1,   L̇ = Σ s_i × F_i + τ_i e_3,   s_i = a_i e − r_i e_3.
-/// A closed contact slips: F_i = λ_i φ_i, τ_i = λ_i τ̂_i with φ, τ̂ given by the velocity, so that the normal forces are
-/// linear equations; it never sticks here (a motion that comes near that is refused).
-/// Where one contact is open, its distance is carried along as a variable of its own: it keeps its digits
-/// through ever smaller impacts.
+///     ω = L/I_1 + (1/I_3 − 1/I_1)(L·e)e,   ė = L × e/I_1,   L̇ = Σ s_i × F_i + τ_i e_3,   s_i = a_i e − r_i
+///     e_3.
+/// A closed contact slips: F_i = λ_i φ_i, τ_i = λ_i τ̂_i with φ, τ̂ given by the velocity, so that the normal
+/// forces are linear equations; it never sticks here (a motion that comes near that is refused). Where one
+/// contact is open, its distance is carried along as a variable of its own: it keeps its digits through ever
+/// smaller impacts.
 template <class Real>
 using Vec3 = std::array<Real, 3>;
 
@@ -92,8 +93,8 @@ class TippeTopMotion {
     while (t_ < t) step(t - t_);
   }
 
-  /// Every component off by ±size, at random, in units of its scale, as far as closed contacts allow: how errors
-  /// that are made here come out later. Nothing while a distance is too small to bear it.
+  /// Every component off by ±size, at random, in units of its scale, as far as closed contacts allow: how
+  /// errors that are made here come out later. Nothing while a distance is too small to bear it.
   void perturb(const Real& size) {
     if (closed_[0] != closed_[1] && x_[12] < 1e-9) return;
     const Real axis = x_[8];
@@ -101,7 +102,8 @@ class TippeTopMotion {
     if (closed_[0] && closed_[1]) {
       x_[8] = axis;
       const Vec3<Real> e = part(x_, 6), across{e[1], -e[0], 0};
-      const Real turning = (x_[9] * across[0] + x_[10] * across[1]) / (across[0] * across[0] + across[1] * across[1]);
+      const Real turning =
+          (x_[9] * across[0] + x_[10] * across[1]) / (across[0] * across[0] + across[1] * across[1]);
       for (int k = 0; k < 2; ++k) x_[9 + k] -= turning * across[k];
     }
     restore();
@@ -148,7 +150,8 @@ class TippeTopMotion {
     const V s{a_[i] * e[0], a_[i] * e[1], a_[i] * e[2] - r_[i]};
     const V turn = cross(omega, s);
     const Real v1 = v[0] + turn[0], v2 = v[1] + turn[1];
-    const Real sliding = sqrt(v1 * v1 + v2 * v2), spin = omega[2] * radius_, size = spin < 0 ? Real(-spin) : spin;
+    const Real sliding = sqrt(v1 * v1 + v2 * v2), spin = omega[2] * radius_,
+               size = spin < 0 ? Real(-spin) : spin;
     if (!(sliding + size > slowest())) throw std::runtime_error("a contact that nearly sticks");
     const Slip<Real> f = law_.at(sliding, size);
     Contact c;
@@ -279,8 +282,10 @@ class TippeTopMotion {
       t_ += h;
       leaving_ = false;
       restore();
-      if (h == h_) h_ = std::min(Real(h * std::min(factor, 4.0)), longest());
-      else if (factor < 1) h_ = h * factor;
+      if (h == h_)
+        h_ = std::min(Real(h * std::min(factor, 4.0)), longest());
+      else if (factor < 1)
+        h_ = h * factor;
       const Forces f = forces(x_);
       for (int i = 0; i < 2; ++i) {
         if (closed_[i] && f.lambda[i] < 0) throw std::runtime_error("a contact opens that was not watched");
@@ -413,8 +418,9 @@ class TippeTopMotion {
       const Real last = impacts_[n - 1] - impacts_[n - 3], before = impacts_[n - 3] - impacts_[n - 5];
       if (last < shortest() && last < before) {
         const Real rest = last * last / (before - last);
-        t_ += rest;
-        // What they still approach with may have any sign: it is less than counts.
+        // Both stay closed from now on: on average, that is what the impacts do until they end, and a
+        // thousand or a million times longer impacts give the same motion to 1e-13 s. What they still
+        // approach with may have any sign: it is less than counts.
         const auto [v, l, impulse] = after({true, true});
         closed_ = {true, true};
         for (int k = 0; k < 3; ++k) {
@@ -424,15 +430,15 @@ class TippeTopMotion {
         leaving_ = false;
         restore();
         events_.push_back({t_, "close", hit});
-        events_.push_back({t_, "accumulation", 0});
-        events_.push_back({t_, "accumulation", 1});
+        events_.push_back({t_ + rest, "accumulation", 0});
+        events_.push_back({t_ + rest, "accumulation", 1});
         impacts_.clear();
         return true;
       }
     }
     return false;
   }
-  /// [s]; the state changes by less than its rounding in what is left.
+  /// [s]
   static double shortest() { return 1e-12; }
 
   SlipLaw<Real> law_;

@@ -1,0 +1,193 @@
+// The motions of Figures 9, 10 and 12 against the stored reference motions (quadruple precision, their own
+// equations, reference_data/generate/motion/).
+//
+//   compare_motions FIGURE FRESH REFERENCE       e.g. compare_motions fig09 /tmp/fresh reference_data/motions
+//
+// Allowed is what errors of the steps can become until then. The reference tells it: `spread` is the largest
+// change of a value when each component of the state is off by ±1 (in its scale, at random) every
+// millisecond. The integrator takes at most a step a millisecond, whose error has a root mean square of at
+// most its tolerance over at most 16 components:
+//     √16 tolerance.
+// Errors of different nutations point in random directions, as those of the spread do; those within one (40
+// ms and longer while the top is fast; 80 taken) may all point in one: times √80. To this come the error bar
+// of the reference, rounding, and the error of one step that the sample itself carries: the distance of a
+// closed contact has no other.
+//
+// After an accumulation there is one more. `event_driven` ends the impacts where bounces are shorter than
+// 5e-6 of its unit of time, and closes the contacts for good without the friction impulse that belongs to
+// this: μ times half the speed of a fall that lasts as long. One error in the state; what it becomes is a
+// share of the spread's N errors, spread/√N.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "contensou/output/table.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using contensou::Table;
+
+constexpr double tolerance = 1e-12;  // reproduce/common/tippe_top_motion.hpp
+constexpr double components = 16, coherent = 80;
+constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();  // of a few operations
+
+// LG03 5.4 [m, m/s², kg, kg m²]
+constexpr double length = 0.021, g = 9.81, mu = 0.3, m = 6e-3;
+constexpr double energy = 7e-7 * 180 * 180 / 2 + m * g * 0.012;
+constexpr double kicks = 12 * 1000;  // of the spread, a second
+
+// In units of the scale of velocities.
+double closing() {
+  const double shortest = 5e-6 * std::sqrt(length / g);
+  return mu * g * shortest / 2 / std::sqrt(2 * energy / m);
+}
+
+struct Allowed {
+  double accumulation;  ///< [s], after the end where there is none
+  double scale;         ///< of the value
+
+  double at(double t, double error, double spread) const {
+    double bound = error + tolerance * std::sqrt(components * coherent) * spread +
+                   (rounding + tolerance * std::sqrt(components)) * scale;
+    if (t > accumulation) bound += closing() * spread / std::sqrt(kicks * accumulation);
+    return bound;
+  }
+};
+
+// Of the reference.
+double accumulation(const Table& events) {
+  const auto names = events.texts("event");
+  const auto at = std::find(names.begin(), names.end(), "accumulation");
+  return at == names.end() ? std::numeric_limits<double>::infinity()
+                           : events.numbers("t").at(static_cast<std::size_t>(at - names.begin()));
+}
+
+class Verdict {
+ public:
+  void add(double error, double bound, double t) {
+    const double share = error / bound;
+    ++count_;
+    if (!(share <= 1)) ++failures_;
+    if (!(share <= worst_)) {
+      worst_ = share;
+      error_ = error;
+      t_ = t;
+    }
+    largest_ = std::max(largest_, error);
+  }
+  bool say(const std::string& what) const {
+    const bool good = failures_ == 0 && count_ > 0;
+    std::printf("%-32s %s: %d values, largest error %.2g; at most %.2g of what is allowed (%.2g, t = %g s)\n",
+                what.c_str(), good ? "good" : "BAD", count_, largest_, worst_, error_, t_);
+    return good;
+  }
+
+ private:
+  int count_ = 0, failures_ = 0;
+  double worst_ = -1, error_ = 0, largest_ = 0, t_ = 0;
+};
+
+// Every sample of the reference is one of the figure's.
+bool same_curve(const Table& fresh, const std::string& column, const Table& reference,
+                const std::string& quantity, const Allowed& allowed) {
+  const auto t = fresh.numbers("t"), x = fresh.numbers(column);
+  const auto at = reference.numbers("t"), expected = reference.numbers(quantity),
+             error = reference.numbers(quantity + "_error"), spread = reference.numbers(quantity + "_spread");
+  Verdict verdict;
+  std::size_t k = 0;
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    while (k < t.size() && t[k] < at[i] - 1e-9) ++k;
+    const bool there = k < t.size() && std::abs(t[k] - at[i]) < 1e-9;
+    verdict.add(there ? std::abs(x[k] - expected[i]) : NAN, allowed.at(at[i], error[i], spread[i]), at[i]);
+  }
+  return verdict.say(column + " " + quantity);
+}
+
+// The same events in the same order at the same times, as far as the reference goes.
+bool same_events(const Table& fresh, const std::string& run, const Table& reference, double until) {
+  const Allowed allowed{accumulation(reference), 0.04};  // a nutation
+  struct Event {
+    double t;
+    std::string name;
+  };
+  const auto list = [until](const Table& table, const std::string& only) {
+    const auto t = table.numbers("t");
+    const auto event = table.texts("event"), contact = table.texts("contact");
+    std::vector<Event> events;
+    for (std::size_t i = 0; i < t.size(); ++i) {
+      if (t[i] > until || (!only.empty() && table.texts("run")[i] != only)) continue;
+      events.push_back({t[i], event[i] + " " + contact[i]});
+    }
+    return events;
+  };
+  auto ours = list(fresh, run), theirs = list(reference, "");
+  const auto error = reference.numbers("t_error"), spread = reference.numbers("t_spread");
+  Verdict verdict;
+  if (ours.size() != theirs.size()) {
+    std::printf("%s: %zu events, reference %zu\n", run.c_str(), ours.size(), theirs.size());
+    return false;
+  }
+  // Of what happens at one time the order means nothing.
+  const auto sort = [](std::vector<Event>& events) {
+    for (std::size_t i = 0; i + 1 < events.size(); ++i) {
+      if (events[i].t == events[i + 1].t && events[i + 1].name < events[i].name)
+        std::swap(events[i], events[i + 1]);
+    }
+  };
+  sort(ours);
+  sort(theirs);
+  for (std::size_t i = 0; i < ours.size(); ++i) {
+    const bool same = ours[i].name == theirs[i].name;
+    if (!same)
+      std::printf("%s: %s at %.9g, reference %s at %.9g\n", run.c_str(), ours[i].name.c_str(), ours[i].t,
+                  theirs[i].name.c_str(), theirs[i].t);
+    verdict.add(same ? std::abs(ours[i].t - theirs[i].t) : NAN, allowed.at(theirs[i].t, error[i], spread[i]),
+                theirs[i].t);
+  }
+  return verdict.say(run + " events");
+}
+
+bool figure_holds(const std::string& figure, const fs::path& fresh, const fs::path& reference) {
+  const auto motion = [&](const std::string& name) {
+    return contensou::read_table(reference / ("tippe_top_" + name + ".tsv"));
+  };
+  const Table curve = contensou::read_table(fresh / (figure + ".tsv"));
+  if (figure == "fig10") {
+    const Allowed allowed{accumulation(motion("hertz_5e-4_events")), 2 * length};  // z and a cosθ
+    const bool body = same_curve(curve, "body", motion("hertz_5e-4"), "gap_body", allowed);
+    return same_curve(curve, "tip", motion("hertz_5e-4"), "gap_tip", allowed) && body;
+  }
+  const Table events = contensou::read_table(fresh / (figure + "_events.tsv"));
+  bool good = true;
+  for (std::size_t j = 1; j < curve.columns.size(); ++j) {
+    const std::string& run = curve.columns[j];
+    const std::string name = figure == "fig09" ? run + "_5e-4" : "hertz_" + run;
+    const Table expected = motion(name);
+    const Table happened = motion(name + "_events");
+    good = same_curve(curve, run, expected, "theta", {accumulation(happened), 4}) && good;
+    good = same_events(events, run, happened, expected.numbers("t").back()) && good;
+  }
+  return good;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 4) {
+    std::fprintf(stderr, "usage: compare_motions FIGURE FRESH REFERENCE\n");
+    return 2;
+  }
+  try {
+    return figure_holds(argv[1], argv[2], argv[3]) ? 0 : 1;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "compare_motions: %s\n", error.what());
+    return 1;
+  }
+}
