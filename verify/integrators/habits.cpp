@@ -54,7 +54,7 @@ std::vector<double> settings(Method method) {
 void drop(Method method, double setting, Habits& habits) {
   const PointMass point{{.m = mass, .g = gravity}, {"floor", AnyFriction{NoFriction{}}, 0, 0, 0}};
   const double sampled = has_fixed_step(method) ? setting : 1e-3;
-  double up = 0, height = 0, depth = 0, landed = 0;
+  double up = 0, height = 0, depth = 0, landed = 0, resting = 0;
   for (int k = 0; k < 20; ++k) {
     const double z = 0.1 + 7.3e-5 * k;
     const double speed = std::sqrt(2 * gravity * z), landing = speed / gravity;
@@ -69,7 +69,8 @@ void drop(Method method, double setting, Habits& habits) {
           }
         },
         sampled);
-    if (!r.finished()) up = height = depth = landed = NAN;
+    if (std::abs(r.end.q[2]) > std::abs(resting)) resting = r.end.q[2];
+    if (!r.finished()) up = height = depth = landed = resting = NAN;
     for (const Event& event : r.report.events) {
       if (event.kind != EventKind::close) continue;
       landed = std::max(landed, std::abs(event.t - landing));
@@ -79,6 +80,7 @@ void drop(Method method, double setting, Habits& habits) {
   habits.note("drop", method, "", setting, "rebound_velocity", up);
   habits.note("drop", method, "", setting, "rebound_height", height);
   habits.note("drop", method, "", setting, "penetration", depth);
+  habits.note("drop", method, "", setting, "resting_height", resting);
   habits.note("drop", method, "", setting, "landing_error", landed);
   const bool rebounds = method == Method::rk4_printed;
   habits.claim("drop.rebound", method, setting,
@@ -243,7 +245,8 @@ void check_habits(const std::filesystem::path& folder, Record& record, Findings&
   Table table{
       {"What the integrators do where little should happen; SI units. setting: step [s] or tolerance.",
        "drop: a point from 0.1 m (20 heights, worst), inelastic. rebound_velocity over the impact's; "
-       "rebound_height, penetration [m]; landing_error [s]: of the time of the event.",
+       "rebound_height, penetration, resting_height after 2 s [m]; landing_error [s]: of the time of the "
+       "event.",
        "push: a block on the floor pushed with half the limit of friction: how far it went in 10 s [m], laid "
        "there or set down from 1 mm.",
        "nutation_flight, nutation_floor: the top, LG03 5.4. numerical_rate [1/s]: growth of the nutation's "

@@ -216,8 +216,8 @@ void check_orders(const std::filesystem::path& folder, Record& record, Findings&
        "error of `state`: largest of the coordinates' in their scales and the velocities' in theirs, at the "
        "motion's end, worst of its paths; of `time` [s]: when the last contact closed or impacts "
        "accumulated.",
-       "step: in s; tolerance: dimensionless. low, high: bounds fixed before the run. Errors below `floor` "
-       "(references, rounding) are not counted."},
+       "step: in s; tolerance: dimensionless. low, high: what theory says, for reasons given in "
+       "verify/integrators/orders.cpp. Errors below `floor` (references, rounding) are not counted."},
       {"phase", "scheme", "quantity", "coarsest", "error_coarsest", "finest", "error_finest", "floor",
        "order", "low", "high", "verdict"},
       {}};
