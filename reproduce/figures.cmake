@@ -48,3 +48,13 @@ contensou_figure(fig10 DATA fig10 fig10_rocking fig10_impacts DRAWINGS fig10a fi
 contensou_figure(fig11 DATA fig11 fig11_positions fig11_roots ALSO fig11_simulated DRAWINGS fig11)
 contensou_figure(fig12 DATA fig12 fig12_events DRAWINGS fig12)
 add_custom_target(figures DEPENDS fig01 fig02 fig03 fig04 fig05 fig06 fig07 fig08 fig09 fig10 fig11 fig12)
+
+# The animation's data; the page draws it.
+add_executable(make_animation animation/animation.cpp)
+target_link_libraries(make_animation PRIVATE reproduce_common contensou_options)
+add_custom_command(OUTPUT ${report_data}/animation.tsv
+  COMMAND make_animation --out ${report_data}
+  DEPENDS make_animation
+  COMMENT "Animation: motion" VERBATIM)
+add_custom_target(animation DEPENDS ${report_data}/animation.tsv)
+list(APPEND figure_files ${report_data}/animation.tsv)

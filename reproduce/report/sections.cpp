@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "accuracy.hpp"
+#include "animation.hpp"
 #include "captions.hpp"
 #include "figures.hpp"
 #include "html.hpp"
@@ -133,6 +134,13 @@ std::string integrators_section(const fs::path& report) {
       {{"Orders", "integrator_orders", {"integrator_orders", "integrator_errors"}},
        {"Nutation, rest, energy", "integrator_nutation", {"integrator_habits", "integrator_nutation"}},
        {"The paper’s top by the paper’s schemes", "", {"integrator_paper_top"}}});
+}
+
+std::string top_section(const fs::path& report) {
+  return animation(report) + shown(report, {{"When what happens", "", {"fig09_events", "fig12_events"}},
+                                            {"How fast it leaves the upright positions",
+                                             "stability_growth",
+                                             {"stability_growth", "fig11_simulated"}}});
 }
 
 std::string cost_section(const fs::path& report) {

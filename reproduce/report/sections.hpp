@@ -18,6 +18,7 @@ std::string accuracy_section(const std::filesystem::path& report);
 std::string plates_section(const std::filesystem::path& report);
 std::string ball_section(const std::filesystem::path& report);
 std::string contact_section(const std::filesystem::path& report);
+std::string top_section(const std::filesystem::path& report);
 std::string integrators_section(const std::filesystem::path& report);
 std::string cost_section(const std::filesystem::path& report);
 

@@ -12,6 +12,7 @@
 #include "names.hpp"
 #include "number.hpp"
 #include "selection.hpp"
+#include "top_summaries.hpp"
 
 namespace report {
 namespace {
@@ -198,6 +199,10 @@ std::string summary(const std::string& name, const Table& table) {
       {"siconos_coulomb", siconos_coulomb_summary},
       {"siconos_ball", siconos_ball_summary},
       {"integrator_orders", integrator_orders},
+      {"fig09_events", top_events_summary},
+      {"fig12_events", radius_events_summary},
+      {"stability_growth", growth_summary},
+      {"fig11_simulated", magnus_summary},
       {"claims", claims},
       {"ledger", ledger}};
   const auto sentence = sentences.find(name);
