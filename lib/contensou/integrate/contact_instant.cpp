@@ -222,6 +222,44 @@ bool ContactInstant::settle(State& state, std::vector<ContactMode>& modes,
   return decide(state, modes, tolerances, report);
 }
 
+void ContactInstant::close(State& state, const std::vector<ContactMode>& modes, RunReport& report) {
+  gather(state, modes);
+  const auto m = static_cast<Eigen::Index>(closed_.size());
+  constraints_.resize(m);
+  // Λ = (1, −μx̂) Λ_N of each contact.
+  std::vector<Eigen::Vector4d> ray;
+  for (const std::size_t i : closed_) {
+    ray.emplace_back(1, 0, 0, 0);
+    const Eigen::Vector3d gamma = rows_[i].velocity.tail<3>();
+    const int dimension = friction_[i].dimension();
+    if (modes[i] == ContactMode::slip && dimension > 0 && !gamma.head(dimension).isZero(0))
+      ray.back().tail<3>() = -system_.contacts()[i].mu * friction_[i].border(gamma);
+  }
+  const auto response = [&](std::size_t r) {
+    const int count = 1 + friction_[closed_[r]].dimension();
+    return (rows_[closed_[r]].response.leftCols(count) * ray[r].head(count)).eval();
+  };
+  for (std::size_t s = 0; s < closed_.size(); ++s) {
+    const Eigen::VectorXd column = response(s);
+    for (std::size_t r = 0; r < closed_.size(); ++r)
+      constraints_.matrix(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(s)) =
+          rows_[closed_[r]].directions.col(0).dot(column);
+    constraints_.side[static_cast<Eigen::Index>(s)] = -rows_[closed_[s]].velocity[0];
+  }
+  const Eigen::VectorXd impulse = constraints_.solve();
+  const Eigen::VectorXd before = state.u;
+  for (std::size_t r = 0; r < closed_.size(); ++r)
+    state.u += impulse[static_cast<Eigen::Index>(r)] * response(r);
+  const Eigen::VectorXd mean = (state.u - before) / 2;
+  for (std::size_t r = 0; r < closed_.size(); ++r) {
+    const std::size_t i = closed_[r];
+    const int count = 1 + friction_[i].dimension();
+    const Eigen::VectorXd gamma =
+        rows_[i].velocity.head(count) + rows_[i].directions.leftCols(count).transpose() * mean;
+    report.dissipated[i].impact -= impulse[static_cast<Eigen::Index>(r)] * ray[r].head(count).dot(gamma);
+  }
+}
+
 void ContactInstant::correct_velocities(State& state, const std::vector<ContactMode>& modes,
                                         RunReport& report) {
   gather(state, modes);

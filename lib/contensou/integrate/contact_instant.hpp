@@ -39,6 +39,9 @@ class ContactInstant {
   /// Whether the last settle() had an impact in this contact.
   bool struck(std::size_t contact) const { return struck_[contact]; }
 
+  /// γ_N = 0 of all closed contacts by impulses along the normal, in contacts that slip with the friction that
+  /// goes with them: what impacts too small to be solved one by one do together.
+  void close(State& state, const std::vector<ContactMode>& modes, RunReport& report);
   /// γ_N = 0 of closed contacts, γ_F = 0 of those that stick, by the least change of velocity.
   void correct_velocities(State& state, const std::vector<ContactMode>& modes, RunReport& report);
   /// g_N = 0 of closed contacts, by the least change of position in the metric of M.

@@ -216,7 +216,7 @@ bool HybridRun::close_accumulated() {
       together.push_back(j);
       if (modes_[j] == ContactMode::open) modes_[j] = ContactMode::slip;
     }
-    instant_.correct_velocities(state_, modes_, report_);
+    instant_.close(state_, modes_, report_);
     if (!settle("accumulation of impacts", *limit)) return false;
     for (const std::size_t j : together) {
       report_.events.push_back({*limit, EventKind::accumulation, j});
