@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace contensou {
 namespace {
@@ -30,9 +31,14 @@ constexpr double factor_after_failure = 0.25;
 StepControl::StepControl(StepChoice choice, const IntegratorOptions& options, double t_start)
     : choice_(choice), step_(options.step), t_start_(t_start), patience_(first_patience) {}
 
-double StepControl::propose(double t, double t_end, double time_to_rest) const {
+double StepControl::propose(double t, double t_end, double time_to_rest) {
   double h = std::min(t_end - t, share_of_time_to_rest * time_to_rest);
-  if (choice_ == StepChoice::fixed) h = std::min(h, next_grid_time() - t);
+  if (choice_ == StepChoice::fixed) {
+    // An event may have been at a grid point, or just beyond.
+    const double rounding = 8 * std::numeric_limits<double>::epsilon() * std::abs(t);
+    while (next_grid_time() - t <= std::max(on_grid * step_, rounding)) ++grid_;
+    h = std::min(h, next_grid_time() - t);
+  }
   if (choice_ == StepChoice::adaptive || rejected_) h = std::min(h, h_);
   return h;
 }
@@ -62,7 +68,8 @@ bool StepControl::acceptable(double error) const {
 void StepControl::scale(double h, double error, int order, double largest) {
   double factor = factor_after_failure;
   if (std::isfinite(error)) {
-    factor = error > 0 ? std::clamp(safety * std::pow(error, -1.0 / order), smallest_factor, largest) : largest;
+    factor =
+        error > 0 ? std::clamp(safety * std::pow(error, -1.0 / order), smallest_factor, largest) : largest;
   }
   h_ = h * factor;
 }
