@@ -98,13 +98,14 @@ TEST_CASE("EventSearch: a contact that has just opened is watched once it has ri
 }
 
 TEST_CASE("EventSearch: a dip between the ends of a step", "[integrate]") {
+  // The gap ends at less than half of what it was: a closer look is taken at the quarters of the step.
   // Pushed up with 4mg: z = z₀ − vt + 3g/2 t².
   const Slab slab({"floor", disk, 0.5}, [](double) { return Eigen::Vector4d(0, 0, 4 * m * g, 0); });
   const double v = 3, a = 3 * g;
-  for (const double depth : {0.02, 0.002}) {
+  for (const double depth : {0.02, 0.01}) {
     const double z = v * v / (2 * a) - depth, turn = v / a;
     const double entry = turn - std::sqrt(2 * depth / a);
-    Step step{slab, Slab::at(z, {0, 0, -v, 0}), {ContactMode::open}, 1.9 * turn};
+    Step step{slab, Slab::at(z, {0, 0, -v, 0}), {ContactMode::open}, 1.6 * turn};
     REQUIRE(z - v * step.h + a / 2 * step.h * step.h > 0);
     const auto found = step.find();
     CAPTURE(depth);
@@ -113,7 +114,7 @@ TEST_CASE("EventSearch: a dip between the ends of a step", "[integrate]") {
     REQUIRE(length);
     CHECK(std::abs(*length - entry) < 100 * rounding);
   }
-  Step above{slab, Slab::at(v * v / (2 * a) + 1e-6, {0, 0, -v, 0}), {ContactMode::open}, 1.9 * v / a};
+  Step above{slab, Slab::at(v * v / (2 * a) + 1e-6, {0, 0, -v, 0}), {ContactMode::open}, 1.6 * v / a};
   CHECK(!above.find());
 }
 
@@ -131,8 +132,9 @@ TEST_CASE("EventSearch: a contact is lifted, a contact loses its hold", "[integr
   CHECK(*length - 1 > 0);
   CHECK(*length - 1 < 1.01e-10);
 
-  const Slab pushed({"floor", disk, 0.5},
-                    [](double t) { return Eigen::Vector4d(0.3, 0.4, 0, 0) * (m * g * (1 + t) / 2); });
+  const Slab pushed({"floor", disk, 0.5}, [](double t) -> Eigen::Vector4d {
+    return Eigen::Vector4d(0.3, 0.4, 0, 0) * (m * g * (1 + t) / 2);
+  });
   Step slips{pushed, Slab::at(0, {0, 0, 0, 0}), {ContactMode::stick}, 1.3};
   const auto limit = slips.find();
   REQUIRE(limit);

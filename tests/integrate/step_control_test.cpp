@@ -39,6 +39,20 @@ TEST_CASE("StepControl: a fixed step goes from grid point to grid point, events 
   CHECK(control.propose(t, 1000, infinite) == Approx(0.03).epsilon(1e-9));
 }
 
+TEST_CASE("StepControl: an event at a grid point, or just beside it, takes its place", "[integrate]") {
+  for (const double beside : {-1e-16, 0.0, 1e-16, 1e-12, -1e-12, 1e-4}) {
+    IntegratorOptions options;
+    options.step = 0.1;
+    StepControl control(StepChoice::fixed, options, 0);
+    const double h = control.propose(0, 1, infinite);
+    control.interrupt(h);
+    const double t = h + beside;
+    CAPTURE(beside);
+    CHECK(control.propose(t, 1, infinite) == Approx(0.1 - beside).epsilon(1e-10));
+    CHECK(control.accept(t, control.propose(t, 1, infinite), 0, 5) == 0.2);
+  }
+}
+
 TEST_CASE("StepControl: a fixed step that cannot be computed is tried shorter, once", "[integrate]") {
   IntegratorOptions options;
   options.step = 0.1;
