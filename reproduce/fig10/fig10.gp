@@ -14,11 +14,11 @@ set ylabel "distance from the floor [mm]"
 set xrange [0:8]; set yrange [-0.5:25]
 set xtics 1; set ytics 5
 set key at 7.9, 24 right top spacing 1.2
-plot motion using "t":(mm*column("tip")) with lines linestyle 21 title "stick, {/:Italic g}_{{/:Italic N}2}", \
-     motion using "t":(mm*column("body")) with lines linestyle 22 title "body, {/:Italic g}_{{/:Italic N}1}"
+plot motion using "t":(mm*column("tip")) with lines linestyle 21 title "stick, {/:Italic g}_{N2}", \
+     motion using "t":(mm*column("body")) with lines linestyle 22 title "body, {/:Italic g}_{N1}"
 
 # (b)
-eval panel("fig10b", 560, 380)
+eval panel("fig10b", 535, 380)
 set lmargin at screen 0.125; set rmargin at screen 0.96; set bmargin at screen 0.165; set tmargin at screen 0.96
 set xrange [4.74:4.91]; set yrange [-0.01:0.32]
 set xtics 0.05; set ytics 0.1; set format x "%.2f"
@@ -27,7 +27,7 @@ plot near using "t":(mm*column("tip")) with lines linestyle 11 title "stick", \
      near using "t":(mm*column("body")) with lines linestyle 13 title "body"
 
 # (c)
-eval panel("fig10c", 560, 380)
+eval panel("fig10c", 535, 380)
 set lmargin at screen 0.135; set logscale xy
 set xrange [1:1e-5] ; set yrange [1e-7:1]
 set format x "10^{%T}"; set format y "10^{%T}"

@@ -94,15 +94,17 @@ class Verdict {
   double worst_ = -1, error_ = 0, largest_ = 0, t_ = 0;
 };
 
-// Every sample of the reference is one of the figure's.
+// Every sample of the reference is one of the figure's; of a detail, those within it.
+enum class Extent { whole, detail };
 bool same_curve(const Table& fresh, const std::string& column, const Table& reference,
-                const std::string& quantity, const Allowed& allowed) {
+                const std::string& quantity, const Allowed& allowed, Extent extent = Extent::whole) {
   const auto t = fresh.numbers("t"), x = fresh.numbers(column);
   const auto at = reference.numbers("t"), expected = reference.numbers(quantity),
              error = reference.numbers(quantity + "_error"), spread = reference.numbers(quantity + "_spread");
   Verdict verdict;
   std::size_t k = 0;
   for (std::size_t i = 0; i < at.size(); ++i) {
+    if (extent == Extent::detail && (at[i] < t.front() || at[i] > t.back())) continue;
     while (k < t.size() && t[k] < at[i] - 1e-9) ++k;
     const bool there = k < t.size() && std::abs(t[k] - at[i]) < 1e-9;
     verdict.add(there ? std::abs(x[k] - expected[i]) : NAN, allowed.at(at[i], error[i], spread[i]), at[i]);
@@ -154,15 +156,54 @@ bool same_events(const Table& fresh, const std::string& run, const Table& refere
   return verdict.say(run + " events");
 }
 
+// Impacts of the rocking: when they were, and how long each contact then was in the air.
+bool same_impacts(const Table& fresh, const Table& reference) {
+  const double end = accumulation(reference);
+  const auto t = fresh.numbers("t"), next = fresh.numbers("until_next"), left = fresh.numbers("until_end");
+  const auto contact = fresh.texts("contact"), event = reference.texts("event"),
+             contacts = reference.texts("contact");
+  const auto times = reference.numbers("t"), error = reference.numbers("t_error"),
+             spread = reference.numbers("t_spread");
+  const Allowed allowed{std::numeric_limits<double>::infinity(), 0.04};
+  Verdict verdict;
+  std::size_t k = 0;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (event[i] != "close" || times[i] < t.front() - 1e-3 || times[i] > end) continue;
+    const bool there = k < t.size() && contact[k] == contacts[i];
+    const double bound = allowed.at(times[i], error[i], spread[i]);
+    verdict.add(there ? std::abs(t[k] - times[i]) : NAN, bound, times[i]);
+    verdict.add(there ? std::abs(t[k] + left[k] - end) : NAN, bound, times[i]);
+    if (there && k + 1 < t.size()) verdict.add(std::abs(t[k] + next[k] - t[k + 1]), 4 * rounding, times[i]);
+    ++k;
+  }
+  return verdict.say("impacts");
+}
+
+// θ of the animation's axes.
+bool same_attitudes(const Table& motion, const Table& reference, const Allowed& allowed) {
+  Table theta{{}, {"t", "theta"}, {}};
+  const auto t = motion.numbers("t"), x = motion.numbers("axis_x"), y = motion.numbers("axis_y"),
+             z = motion.numbers("axis_z");
+  for (std::size_t i = 0; i < t.size(); ++i) theta.add({t[i], std::atan2(std::hypot(x[i], y[i]), z[i])});
+  return same_curve(theta, "theta", reference, "theta", allowed);
+}
+
 bool figure_holds(const std::string& figure, const fs::path& fresh, const fs::path& reference) {
   const auto motion = [&](const std::string& name) {
     return contensou::read_table(reference / ("tippe_top_" + name + ".tsv"));
   };
   const Table curve = contensou::read_table(fresh / (figure + ".tsv"));
+  const Table hertz = motion("hertz_5e-4"), hertz_events = motion("hertz_5e-4_events");
+  if (figure == "animation") return same_attitudes(curve, hertz, {accumulation(hertz_events), 4});
   if (figure == "fig10") {
-    const Allowed allowed{accumulation(motion("hertz_5e-4_events")), 2 * length};  // z and a cosθ
-    const bool body = same_curve(curve, "body", motion("hertz_5e-4"), "gap_body", allowed);
-    return same_curve(curve, "tip", motion("hertz_5e-4"), "gap_tip", allowed) && body;
+    const Allowed allowed{accumulation(hertz_events), 2 * length};  // z and a cosθ
+    const Table rocking = contensou::read_table(fresh / "fig10_rocking.tsv");
+    bool good = same_impacts(contensou::read_table(fresh / "fig10_impacts.tsv"), hertz_events);
+    for (const std::string contact : {"body", "tip"}) {
+      good = same_curve(curve, contact, hertz, "gap_" + contact, allowed) && good;
+      good = same_curve(rocking, contact, hertz, "gap_" + contact, allowed, Extent::detail) && good;
+    }
+    return good;
   }
   const Table events = contensou::read_table(fresh / (figure + "_events.tsv"));
   bool good = true;
@@ -172,6 +213,10 @@ bool figure_holds(const std::string& figure, const fs::path& fresh, const fs::pa
     const Table expected = motion(name);
     const Table happened = motion(name + "_events");
     good = same_curve(curve, run, expected, "theta", {accumulation(happened), 4}) && good;
+    if (figure == "fig09") {
+      const Table near = contensou::read_table(fresh / "fig09_nutation.tsv");
+      good = same_curve(near, run, expected, "theta", {accumulation(happened), 4}, Extent::detail) && good;
+    }
     good = same_events(events, run, happened, expected.numbers("t").back()) && good;
   }
   return good;

@@ -14,6 +14,7 @@
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "tippe_top.hpp"
@@ -241,6 +242,27 @@ bool check(const Motion& motion, const std::filesystem::path& folder) {
   return worst <= 1;
 }
 
+/// The slip laws in extended precision against the stored tables of interval arithmetic, u from 0 to 1e6.
+bool check_law(Pressure pressure, const std::filesystem::path& table) {
+  const auto number = [](const std::string& cell) { return std::strtold(cell.c_str(), nullptr); };
+  const SlipLaw<Extended> law(pressure);
+  Extended worst = 0;
+  int count = 0;
+  for (const auto& row : read(table)) {  // u phi xi eta
+    const Extended u = std::strtod(row.at(0).c_str(), nullptr);  // the double itself
+    if (!(u <= 1e6L)) continue;
+    const Slip<Extended> f = law.at(u, 1);
+    for (const auto& [x, expected] : {std::pair{f.xi, number(row.at(2))}, {f.eta, number(row.at(3))}}) {
+      if (expected > 0) worst = std::max(worst, magnitude(x - expected) / expected);
+    }
+    ++count;
+  }
+  // The elementary and elliptic forms lose two or three digits where they are used, 1/2 < u^2 < 2.
+  constexpr Extended bound = 1e3L * std::numeric_limits<Extended>::epsilon();
+  std::printf("%s: %d values, off by at most %.2Lg (relative)\n", table.c_str(), count, worst);
+  return count > 0 && worst <= bound;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -251,6 +273,11 @@ int main(int argc, char** argv) {
   }
   try {
     bool good = true;
+    if (checking) {
+      const auto laws = std::filesystem::path(argv[2]) / ".." / "laws";
+      good = check_law(Pressure::hertz, laws / "hertz.tsv");
+      good = check_law(Pressure::uniform, laws / "uniform.tsv") && good;
+    }
     for (const Motion& motion : motions) {
       if (checking) {
         good = check(motion, argv[2]) && good;
