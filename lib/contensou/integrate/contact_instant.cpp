@@ -18,8 +18,7 @@ constexpr double on_border = 1e-10;
 ContactInstant::ContactInstant(const MechanicalSystem& system, double solver_tolerance)
     : system_(system), solver_(SolverOptions{.tolerance = solver_tolerance}) {
   const std::size_t count = system.contacts().size();
-  for (const SystemContact& contact : system.contacts())
-    friction_.emplace_back(effective_friction(contact));
+  for (const SystemContact& contact : system.contacts()) friction_.emplace_back(effective_friction(contact));
   rows_.assign(count, ContactRows(system.velocities()));
   at_rest_.assign(count, false);
   struck_.assign(count, false);
@@ -80,9 +79,8 @@ bool ContactInstant::finite(const ContactProblem& problem, const State& state, R
 }
 
 bool ContactInstant::impact(State& state, const InstantTolerances& tolerances, RunReport& report) {
-  const bool any = std::any_of(closed_.begin(), closed_.end(), [&](std::size_t i) {
-    return rows_[i].velocity[0] < -tolerances.approach;
-  });
+  const bool any = std::any_of(closed_.begin(), closed_.end(),
+                               [&](std::size_t i) { return rows_[i].velocity[0] < -tolerances.approach; });
   if (!any) return true;
   ContactProblem problem;
   set_up(problem);
@@ -114,7 +112,8 @@ void ContactInstant::drop_departed(const State& state, std::vector<ContactMode>&
                                    const InstantTolerances& tolerances) {
   const bool any_struck = std::find(struck_.begin(), struck_.end(), true) != struck_.end();
   for (const std::size_t i : closed_) {
-    if (rows_[i].velocity[0] > (any_struck ? tolerances.bounce : tolerances.approach)) modes[i] = ContactMode::open;
+    if (rows_[i].velocity[0] > (any_struck ? tolerances.bounce : tolerances.approach))
+      modes[i] = ContactMode::open;
   }
   gather(state, modes);
 }
@@ -128,7 +127,8 @@ void ContactInstant::apply(State& state, RunReport& report) {
     const Target& a = targets_[static_cast<std::size_t>(r)];
     for (Eigen::Index s = 0; s < m; ++s) {
       const Target& b = targets_[static_cast<std::size_t>(s)];
-      constraints_.matrix(r, s) = rows_[a.contact].directions.col(a.row).dot(rows_[b.contact].response.col(b.row));
+      constraints_.matrix(r, s) =
+          rows_[a.contact].directions.col(a.row).dot(rows_[b.contact].response.col(b.row));
     }
     constraints_.side[r] = a.velocity - rows_[a.contact].velocity[a.row];
     met = met && constraints_.side[r] == 0;
@@ -277,18 +277,18 @@ void ContactInstant::correct_positions(State& state, const std::vector<ContactMo
   for (int pass = 0; pass < 2; ++pass) {
     gather(state, modes);
     const auto m = static_cast<Eigen::Index>(closed_.size());
-    constraints_.resize(m);
+    gaps_.resize(m);
     bool met = true;
     for (Eigen::Index r = 0; r < m; ++r) {
       const std::size_t i = closed_[static_cast<std::size_t>(r)];
-      constraints_.side[r] = -system_.gap(i, state.t, state.q);
-      met = met && constraints_.side[r] == 0;
+      gaps_.side[r] = -system_.gap(i, state.t, state.q);
+      met = met && gaps_.side[r] == 0;
       for (Eigen::Index s = 0; s < m; ++s)
-        constraints_.matrix(r, s) = rows_[i].directions.col(0).dot(
-            rows_[closed_[static_cast<std::size_t>(s)]].response.col(0));
+        gaps_.matrix(r, s) =
+            rows_[i].directions.col(0).dot(rows_[closed_[static_cast<std::size_t>(s)]].response.col(0));
     }
     if (met) return;
-    const Eigen::VectorXd& amount = constraints_.solve();
+    const Eigen::VectorXd& amount = gaps_.solve();
     move_.setZero();
     for (Eigen::Index r = 0; r < m; ++r)
       move_ += amount[r] * rows_[closed_[static_cast<std::size_t>(r)]].response.col(0);

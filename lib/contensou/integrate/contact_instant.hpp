@@ -75,7 +75,7 @@ class ContactInstant {
   std::vector<bool> at_rest_;  ///< γ_F is zero
   std::vector<bool> struck_;
   std::vector<Target> targets_;
-  ConstraintSolver constraints_;
+  ConstraintSolver constraints_, gaps_;
   Eigen::VectorXd move_, rates_;
 };
 
