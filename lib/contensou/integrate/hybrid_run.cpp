@@ -29,8 +29,8 @@ constexpr double unresolved_impacts = 24;
 /// A contact that leaves an impact for a bounce shorter than this part of that stays closed.
 constexpr double no_bounce = 0.1;
 constexpr int most_stalled = 200;
-/// Implicit steps are no longer than this: they would damp motions too small for the error control to see, even
-/// those that are about to grow (a top that sleeps upright and becomes unstable).
+/// Implicit steps are no longer than this: they would damp motions too small for the error control to see,
+/// even those that are about to grow (a top that sleeps upright and becomes unstable).
 constexpr double longest_implicit = 0.1;
 
 /// What drift from g_N = 0 and γ = 0 is left alone: a tenth of what the error control allows, or roundings.
@@ -69,7 +69,8 @@ HybridRun::HybridRun(const MechanicalSystem& system, State& state, double t_end,
 
   const double tolerance = choice == StepChoice::adaptive ? options.tolerance : 0;
   shortest_bounce_ = std::max(short_bounce, short_bounce_root * std::sqrt(tolerance)) * scales_.time;
-  const double bounce_speed = no_bounce * shortest_bounce_ * scales_.length / (scales_.time * scales_.time) / 2;
+  const double bounce_speed =
+      no_bounce * shortest_bounce_ * scales_.length / (scales_.time * scales_.time) / 2;
   tolerances_ = {.approach = approach_speed * scales_.speed,
                  .bounce = bounce_speed,
                  .slip = std::max(slip_at_rest, slip_unresolved * tolerance) * scales_.speed,
@@ -82,9 +83,11 @@ RunReport HybridRun::run() {
   while (going && state_.t < t_end_) {
     going = report_.steps + report_.rejected < options_.max_steps
                 ? advance()
-                : fail(RunStatus::step_limit, "no more than " + std::to_string(options_.max_steps) + " steps allowed");
+                : fail(RunStatus::step_limit,
+                       "no more than " + std::to_string(options_.max_steps) + " steps allowed");
   }
   if (going) {
+    state_.t = t_end_;  // the last step may have ended a rounding away
     // Whoever goes on from here starts with closed contacts closed.
     instant_.correct_positions(state_, modes_);
     instant_.correct_velocities(state_, modes_, report_);
@@ -97,7 +100,18 @@ RunReport HybridRun::run() {
     report_.dissipated[i].drilling = y_[at + 1];
   }
   report_.evaluations = dynamics_.evaluations();
+  order_events();
   return report_;
+}
+
+/// A series of impacts ends a contact's bounces at its limit, a little later than the impact it was seen at.
+/// Other contacts' events may lie between; the contact's own are then at the limit, too.
+void HybridRun::order_events() {
+  std::vector<double> latest(modes_.size(), -infinite);
+  for (Event& event : report_.events)
+    event.t = latest[event.contact] = std::max(latest[event.contact], event.t);
+  std::stable_sort(report_.events.begin(), report_.events.end(),
+                   [](const Event& a, const Event& b) { return a.t < b.t; });
 }
 
 bool HybridRun::fail(RunStatus status, const std::string& message) {
@@ -106,9 +120,7 @@ bool HybridRun::fail(RunStatus status, const std::string& message) {
   return false;
 }
 
-double HybridRun::smallest_step() const {
-  return 4 * epsilon * std::max(std::abs(state_.t), scales_.time);
-}
+double HybridRun::smallest_step() const { return 4 * epsilon * std::max(std::abs(state_.t), scales_.time); }
 
 /// Which contacts are closed, and a first step. How it starts is no event, unless by an impact.
 bool HybridRun::start() {
@@ -133,8 +145,7 @@ void HybridRun::set_error_scales() {
 /// One in which coordinates and velocities change by a hundredth of their scales.
 void HybridRun::set_first_step() {
   const auto n = dynamics_.coupled();
-  const double rate =
-      options_.tolerance * (rate_.head(n).array() / scale_.head(n).array()).abs().maxCoeff();
+  const double rate = options_.tolerance * (rate_.head(n).array() / scale_.head(n).array()).abs().maxCoeff();
   control_.set_first(0.01 * std::min(scales_.time, rate > 0 ? 1 / rate : infinite));
 }
 

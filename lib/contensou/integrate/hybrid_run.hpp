@@ -37,6 +37,7 @@ class HybridRun {
   bool take_event(OdeStep& stepper, double h, const EventSearch::Found& found);
   bool settle(const std::string& cause, double t);
   bool close_accumulated();
+  void order_events();
   bool fail(RunStatus status, const std::string& message);
   double smallest_step() const;
 
