@@ -1,0 +1,148 @@
+#include "run.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+
+#include "contensou/system/tippe_top_axis.hpp"
+#include "contensou/system/tippe_top_euler.hpp"
+
+namespace verify::story {
+namespace {
+
+using contensou::EventKind;
+
+contensou::State start(const contensou::TippeTopModel& top, const Setting& s) {
+  contensou::State state = top.start(s.theta, s.psi_dot, s.z_s);
+  if (s.euler) {
+    state.u[4] = s.phi_dot;
+    return state;
+  }
+  state.u[5] += s.phi_dot;
+  if (s.rolling) {
+    contensou::ContactRows rows(top.velocities());
+    top.contact_rows(0, 0, state.q, state.u, rows);
+    state.u.head<2>() -= rows.velocity.segment<2>(1);  // γ_T = v_S + …
+  }
+  return state;
+}
+
+/// Where the straight line between samples k − 1 and k has `level`.
+double crossing(const Curve& c, const std::vector<double>& values, double level, std::size_t k) {
+  const double part = (level - values[k - 1]) / (values[k] - values[k - 1]);
+  return c.t[k - 1] + part * (c.t[k] - c.t[k - 1]);
+}
+
+void read_inclination(const Curve& c, Times& times) {
+  std::size_t largest = 0;
+  for (std::size_t k = 1; k < c.t.size(); ++k) {
+    if (c.t[k] > times.tip + after && c.theta[k] > c.theta[largest]) largest = k;
+    const bool before = c.theta[k - 1] > upright, now = c.theta[k] > upright;
+    if (before == now) continue;
+    if (now && std::isnan(times.upright_from)) times.upright_from = crossing(c, c.theta, upright, k);
+    if (before) times.upright_to = crossing(c, c.theta, upright, k);
+  }
+  const std::size_t k = largest;
+  if (k == 0 || k + 1 >= c.t.size()) return;
+  // The vertex of the parabola through three samples.
+  const double left = c.theta[k] - c.theta[k - 1], right = c.theta[k] - c.theta[k + 1];
+  if (left >= 0 && right > 0) times.turning = c.t[k] + (c.t[k + 1] - c.t[k]) * (left - right) / (2 * (left + right));
+}
+
+std::array<double, 4> contact_times(const Times& t) { return {t.tip, t.body, t.both_from, t.both_to}; }
+
+}  // namespace
+
+contensou::AnyFriction hertz() { return contensou::FrictionBall(contensou::SmoothPlate(contensou::HertzLaw{})); }
+contensou::AnyFriction uniform() {
+  return contensou::FrictionBall(contensou::SmoothPlate(contensou::UniformLaw{}));
+}
+
+Curve follow(const Setting& s, double interval) {
+  const auto contacts = contensou::tippe_top_contacts(s.friction, s.mu, s.radius);
+  std::unique_ptr<contensou::TippeTopModel> top;
+  if (s.euler) {
+    top = std::make_unique<contensou::TippeTopEuler>(s.data, contacts);
+  } else {
+    top = std::make_unique<contensou::TippeTopAxis>(s.data, contacts);
+  }
+  contensou::State state = start(*top, s);
+  contensou::IntegratorOptions options = s.options;
+  options.output_interval = interval;
+  Curve c;
+  const auto seen = [&](const contensou::Sample& x) {
+    const Eigen::Vector3d axis = top->axis(x.q), omega = top->spin(x.q, x.u);
+    c.energy.push_back(top->kinetic_energy(x.q, x.u) + top->potential_energy(x.q));
+    c.t.push_back(x.t);
+    c.theta.push_back(top->inclination(x.q));
+    c.gap_body.push_back(top->gap(0, x.t, x.q));
+    c.gap_tip.push_back(top->gap(1, x.t, x.q));
+    c.omega_z.push_back(omega[2]);
+    c.spin.push_back(omega.dot(axis));
+    c.axis.push_back(axis);
+    c.body_sticks = x.modes[0] == contensou::ContactMode::stick;
+  };
+  c.report = contensou::integrate(*top, state, s.duration, options, seen);
+  return c;
+}
+
+Times read(const Curve& c) {
+  Times times;
+  bool lifted = false;
+  double since = never;  // double contact
+  for (std::size_t k = 1; k < c.t.size(); ++k) {
+    if (std::isnan(times.tip) && c.gap_tip[k] < closed) times.tip = crossing(c, c.gap_tip, closed, k);
+    if (std::isnan(times.tip)) continue;
+    lifted = lifted || c.gap_body[k] > risen;
+    if (!lifted) continue;
+    if (std::isnan(times.body) && c.gap_body[k] < closed) times.body = crossing(c, c.gap_body, closed, k);
+    if (std::isnan(times.body)) continue;
+    if (c.gap_body[k] < closed && c.gap_tip[k] < closed) {
+      if (std::isnan(since)) since = c.t[k];
+      continue;
+    }
+    constexpr double passing = 0.05;  // [s]; shorter ones are bounces
+    if (c.t[k] - since >= passing) {
+      times.both_from = since;
+      times.both_to = c.t[k];
+      break;
+    }
+    since = never;
+  }
+  read_inclination(c, times);
+  return times;
+}
+
+Times located(const Curve& c) {
+  Times times;
+  for (const contensou::Event& e : c.report.events) {
+    if (e.contact == 1 && e.kind == EventKind::close && std::isnan(times.tip)) times.tip = e.t;
+  }
+  read_inclination(c, times);
+  for (const contensou::Event& e : c.report.events) {
+    const bool body = e.contact == 0;
+    if (!(e.t > times.turning)) continue;
+    if (body && e.kind == EventKind::close && std::isnan(times.body)) times.body = e.t;
+    if (e.kind == EventKind::accumulation && std::isnan(times.both_from)) times.both_from = e.t;
+    if (!body && e.kind == EventKind::open && e.t > times.both_from && std::isnan(times.both_to))
+      times.both_to = e.t;
+  }
+  return times;
+}
+
+double deviation(const Times& times) {
+  const auto ours = contact_times(times), paper = contact_times(printed);
+  double sum = 0;
+  for (std::size_t k = 0; k < ours.size(); ++k) sum += (ours[k] - paper[k]) * (ours[k] - paper[k]);
+  return std::isnan(sum) ? std::numeric_limits<double>::infinity() : std::sqrt(sum / 4);
+}
+
+int agreeing(const Times& times) {
+  const auto ours = contact_times(times), paper = contact_times(printed);
+  int count = 0;
+  for (std::size_t k = 0; k < ours.size(); ++k) count += std::abs(ours[k] - paper[k]) <= reading;
+  return count;
+}
+
+}  // namespace verify::story
