@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -16,18 +17,6 @@ namespace {
 using contensou::EventKind;
 
 constexpr double duration = 30;  // [s]
-
-double first(const Curve& c, EventKind kind, std::size_t contact, double after_t = 0) {
-  for (const contensou::Event& e : c.report.events) {
-    if (e.kind == kind && e.contact == contact && e.t > after_t) return e.t;
-  }
-  return never;
-}
-
-double sampled(const Curve& c, const std::vector<double>& values, double t) {
-  const auto at = std::lower_bound(c.t.begin(), c.t.end(), t - 1e-9);
-  return values[static_cast<std::size_t>(at - c.t.begin())];
-}
 
 /// A number of the story and what the paper has for it.
 struct Entry {
@@ -49,12 +38,12 @@ const std::vector<Entry>& entries() {
       {"double contact from", "s", printed.both_from, [](const Curve& c) { return located(c).both_from; }, false},
       {"double contact to", "s", printed.both_to, [](const Curve& c) { return located(c).both_to; }, false},
       {"rolling from", "s", never, [](const Curve& c) { return first(c, EventKind::stick, 0); }, false},
-      {"theta(8 s)", "rad", never, [](const Curve& c) { return sampled(c, c.theta, 8); }, false},
-      {"omega_z(8 s)", "rad/s", never, [](const Curve& c) { return sampled(c, c.omega_z, 8); }, false},
+      {"theta(8 s)", "rad", never, [](const Curve& c) { return at(c, c.theta, 8); }, false},
+      {"omega_z(8 s)", "rad/s", never, [](const Curve& c) { return at(c, c.omega_z, 8); }, false},
       {"theta(30 s)", "rad", 0, [](const Curve& c) { return c.theta.back(); }, false},
       {"omega_z(30 s)", "rad/s", 0, [](const Curve& c) { return c.omega_z.back(); }, false},
       {"spin(30 s)", "rad/s", 0, [](const Curve& c) { return c.spin.back(); }, false},
-      {"energy(8 s)/energy(0)", "", never, [](const Curve& c) { return sampled(c, c.energy, 8) / c.energy[0]; }, false},
+      {"energy(8 s)/energy(0)", "", never, [](const Curve& c) { return at(c, c.energy, 8) / c.energy[0]; }, false},
       {"energy(30 s)/energy(0)", "", never, [](const Curve& c) { return c.energy.back() / c.energy[0]; }, false},
   };
   return all;
@@ -67,7 +56,7 @@ struct Runs {
 };
 
 Runs runs(const contensou::AnyFriction& friction) {
-  const auto at = [&](double tolerance, bool euler) {
+  const auto run = [&](double tolerance, bool euler) {
     Setting s;
     s.friction = friction;
     s.duration = duration;
@@ -75,7 +64,7 @@ Runs runs(const contensou::AnyFriction& friction) {
     s.options.tolerance = tolerance;
     return follow(s);
   };
-  return {at(1e-12, false), {at(1e-11, false), at(1e-13, false)}, at(1e-12, true)};
+  return {run(1e-12, false), {run(1e-11, false), run(1e-13, false)}, run(1e-12, true)};
 }
 
 struct Value {
@@ -131,12 +120,26 @@ Told tell_events(const std::filesystem::path& folder, Record& record) {
   contensou::write_table(table, folder / "event_story.tsv");
 
   const Curve& end = hertz_runs.reference;
-  Told told{located(hertz_runs.reference), located(uniform_runs.reference), 0, 0, 0, 0, 0, 0, 0};
-  told.rolling = first(end, EventKind::stick, 0);
-  told.theta_8 = sampled(end, end.theta, 8);
-  told.theta_30 = end.theta.back();
+  Told told;
+  told.hertz = located(end);
+  told.uniform = located(uniform_runs.reference);
   told.digits = digits.value();
   told.formulations = formulations.value();
+  told.body_leaves = first(end, EventKind::open, 0);
+  told.inverting = reaches(end, std::numbers::pi / 2);
+  told.nutation = nutation(end, 0.2, told.hertz.tip);
+  told.energy_at_tip = at(end, end.energy, told.hertz.tip) / end.energy[0];
+  told.spin_at_turning = std::abs(at(end, end.spin, told.hertz.turning));
+  for (const contensou::Event& e : end.report.events)
+    told.impacts += e.kind == EventKind::close && e.t >= told.hertz.body && e.t < told.hertz.both_from;
+  told.rolling = first(end, EventKind::stick, 0);
+  const auto after_rolling = std::lower_bound(end.t.begin(), end.t.end(), told.rolling) - end.t.begin();
+  const auto [least, largest] = std::minmax_element(end.theta.begin() + after_rolling, end.theta.end());
+  told.rolls_least = *least;
+  told.rolls_largest = *largest;
+  told.theta_30 = end.theta.back();
+  told.spin_30 = end.spin.back();
+  told.energy_30 = end.energy.back() / end.energy[0];
   least_inclination(told);
 
   // Eight digits, as events before the accumulation are asked to have.
@@ -169,7 +172,7 @@ Told tell_events(const std::filesystem::path& folder, Record& record) {
   }
   record.add(Claim{"story.end", "LG03 5.4", "the top turns to its trivial position: theta after 30 s, Hertz [rad]", 0,
                    told.theta_30, told.theta_30, 0.01, false});
-  const double rolling_loss = 1 - end.energy.back() / sampled(end, end.energy, std::ceil(told.rolling) + 1);
+  const double rolling_loss = 1 - end.energy.back() / at(end, end.energy, std::ceil(told.rolling) + 1);
   record.add(Claim{"story.end.rolls", "the end of LG03 5.4",
                    "from where it rolls on, nothing is dissipated: relative loss of energy until 30 s, Hertz", 0,
                    rolling_loss, std::abs(rolling_loss), 1e-9, true});

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <numbers>
 
 #include "contensou/system/tippe_top_axis.hpp"
 #include "contensou/system/tippe_top_euler.hpp"
@@ -25,6 +26,7 @@ contensou::State start(const contensou::TippeTopModel& top, const Setting& s) {
     top.contact_rows(0, 0, state.q, state.u, rows);
     state.u.head<2>() -= rows.velocity.segment<2>(1);  // γ_T = v_S + …
   }
+  state.u.head<2>() += s.slide;
   return state;
 }
 
@@ -114,20 +116,45 @@ Times read(const Curve& c) {
   return times;
 }
 
+double first(const Curve& c, EventKind kind, std::size_t contact, double after) {
+  for (const contensou::Event& e : c.report.events) {
+    if (e.kind == kind && e.contact == contact && e.t > after) return e.t;
+  }
+  return never;
+}
+
+double at(const Curve& c, const std::vector<double>& column, double t) {
+  constexpr double rounding = 1e-9;
+  const auto k = std::lower_bound(c.t.begin(), c.t.end(), t - rounding) - c.t.begin();
+  return column[static_cast<std::size_t>(k)];
+}
+
+double reaches(const Curve& c, double level) {
+  for (std::size_t k = 1; k < c.t.size(); ++k) {
+    if (c.theta[k] >= level) return crossing(c, c.theta, level, k);
+  }
+  return never;
+}
+
+double nutation(const Curve& c, double from, double to) {
+  std::size_t first = 0, last = 0, count = 0;
+  for (std::size_t k = 1; k + 1 < c.t.size(); ++k) {
+    if (!(c.t[k] > from && c.t[k] < to)) continue;
+    if (!(c.theta[k] > c.theta[k - 1] && c.theta[k] >= c.theta[k + 1])) continue;
+    if (count++ == 0) first = k;
+    last = k;
+  }
+  if (count < 2) return never;
+  return 2 * std::numbers::pi * static_cast<double>(count - 1) / (c.t[last] - c.t[first]);
+}
+
 Times located(const Curve& c) {
   Times times;
-  for (const contensou::Event& e : c.report.events) {
-    if (e.contact == 1 && e.kind == EventKind::close && std::isnan(times.tip)) times.tip = e.t;
-  }
+  times.tip = first(c, EventKind::close, 1);
   read_inclination(c, times);
-  for (const contensou::Event& e : c.report.events) {
-    const bool body = e.contact == 0;
-    if (!(e.t > times.turning)) continue;
-    if (body && e.kind == EventKind::close && std::isnan(times.body)) times.body = e.t;
-    if (e.kind == EventKind::accumulation && std::isnan(times.both_from)) times.both_from = e.t;
-    if (!body && e.kind == EventKind::open && e.t > times.both_from && std::isnan(times.both_to))
-      times.both_to = e.t;
-  }
+  times.body = first(c, EventKind::close, 0, times.turning);
+  times.both_from = first(c, EventKind::accumulation, 0, times.body);
+  times.both_to = first(c, EventKind::open, 1, times.both_from);
   return times;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <functional>
+#include <Eigen/Core>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -25,6 +25,7 @@ struct Setting {
   double phi_dot = 0;    ///< φ̇_0 [rad/s]
   std::optional<double> z_s = {};
   bool rolling = false;  ///< v_S such that the body starts with γ_T = 0, not at rest
+  Eigen::Vector2d slide = Eigen::Vector2d::Zero();  ///< and then this more of v_S [m/s]; axis only, as the former
   bool euler = false;    ///< LG03's coordinates, else the axis of symmetry
   contensou::IntegratorOptions options = {};
   double duration = 8;  ///< [s]
@@ -71,6 +72,15 @@ constexpr Times printed{1.5, 1.6, 4, 4, 4.55, 4.65, 5.4};
 Times read(const Curve& curve);
 constexpr double closed = 1e-6;  // [m]
 constexpr double risen = 1e-3;   // [m]
+
+/// The first event of a kind after a time; `never` if there is none.
+double first(const Curve& curve, contensou::EventKind kind, std::size_t contact, double after = 0);
+/// One of the curve's columns at the first sample from t on; 0 <= t <= the end.
+double at(const Curve& curve, const std::vector<double>& column, double t);
+/// When θ first reaches a level, between samples by a straight line.
+double reaches(const Curve& curve, double level);
+/// Maxima of θ from one time to another, as a frequency [rad/s].
+double nutation(const Curve& curve, double from, double to);
 
 /// From located events. The bounces before the accumulation are not double contact.
 Times located(const Curve& curve);
