@@ -39,7 +39,7 @@ double crossing(const Curve& c, const std::vector<double>& values, double level,
 void read_inclination(const Curve& c, Times& times) {
   std::size_t largest = 0;
   for (std::size_t k = 1; k < c.t.size(); ++k) {
-    if (c.t[k] > times.tip + after && c.theta[k] > c.theta[largest]) largest = k;
+    if (c.t[k] > times.tip + settled && c.theta[k] > c.theta[largest]) largest = k;
     const bool before = c.theta[k - 1] > upright, now = c.theta[k] > upright;
     if (before == now) continue;
     if (now && std::isnan(times.upright_from)) times.upright_from = crossing(c, c.theta, upright, k);
@@ -116,9 +116,9 @@ Times read(const Curve& c) {
   return times;
 }
 
-double first(const Curve& c, EventKind kind, std::size_t contact, double after) {
+double first(const Curve& c, EventKind kind, std::size_t contact, double since) {
   for (const contensou::Event& e : c.report.events) {
-    if (e.kind == kind && e.contact == contact && e.t > after) return e.t;
+    if (e.kind == kind && e.contact == contact && e.t > since) return e.t;
   }
   return never;
 }

@@ -55,7 +55,7 @@ struct Times {
   double tip = never;           ///< the stick touches
   double upright_from = never;  ///< θ > `upright`, first
   double upright_to = never;    ///< last
-  double turning = never;       ///< θ is largest, `after` the stick touched: re-inversion begins
+  double turning = never;       ///< θ is largest, `settled` after the stick touched: re-inversion begins
   double body = never;          ///< the body touches
   double both_from = never;     ///< double contact
   double both_to = never;
@@ -63,7 +63,7 @@ struct Times {
 /// "Almost completely upright" names no bound: this one is ours [rad].
 constexpr double upright = 0.95 * 3.14159265358979323846;
 /// [s]; earlier maxima are nutation.
-constexpr double after = 1;
+constexpr double settled = 1;
 /// The paper's; the re-inversion of t > 4 s begins where θ is largest.
 constexpr Times printed{1.5, 1.6, 4, 4, 4.55, 4.65, 5.4};
 
@@ -74,7 +74,7 @@ constexpr double closed = 1e-6;  // [m]
 constexpr double risen = 1e-3;   // [m]
 
 /// The first event of a kind after a time; `never` if there is none.
-double first(const Curve& curve, contensou::EventKind kind, std::size_t contact, double after = 0);
+double first(const Curve& curve, contensou::EventKind kind, std::size_t contact, double since = 0);
 /// One of the curve's columns at the first sample from t on; 0 <= t <= the end.
 double at(const Curve& curve, const std::vector<double>& column, double t);
 /// When θ first reaches a level, between samples by a straight line.
