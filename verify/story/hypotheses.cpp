@@ -151,11 +151,12 @@ void schemes(Table& table) {
   };
   const std::string name = "step and coordinates";
   for (const double step : {1e-3, 5e-4, 2e-4, 1e-4}) table.run("scheme", name, scheme(Method::rk4_printed, step, false));
-  for (const double step : {1e-3, 1e-4, 5e-5}) table.run("scheme", name, scheme(Method::rk4_printed, step, true));
+  for (const double step : {1e-3, 1.5e-4, 1e-4, 9e-5, 5e-5})
+    table.run("scheme", name, scheme(Method::rk4_printed, step, true));
   for (const double step : {1e-3, 1e-4}) table.run("scheme", name, scheme(Method::moreau_printed, step, false));
   for (const double step : {1e-3, 2e-4, 1e-4, 2e-5}) table.run("scheme", name, scheme(Method::moreau_printed, step, true));
   for (const double step : {2e-4, 1e-4}) table.run("scheme", name, scheme(Method::moreau_implicit, step, true));
-  for (const double step : {1e-3, 1e-4}) table.run("scheme", name, scheme(Method::rk4, step, true));
+  for (const double step : {1e-3, 1e-4, 5e-5}) table.run("scheme", name, scheme(Method::rk4, step, true));
   Setting s = scheme(Method::rk4_printed, 2e-4, false);
   for (const double tol : {1e-9, 1e-7}) {
     s.options.solver_tolerance = tol;
