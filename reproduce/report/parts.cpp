@@ -61,7 +61,7 @@ Evidence collect(const fs::path& data) {
   evidence.ledger =
       join(data, "ledger", {"where", "printed", "verdict", "corrected", "evidence", "consequence"});
   evidence.ledger.comments = {
-      "Every equation and quantitative sentence of Sections 2, 3 and Appendix A of LG03",
+      "Every equation and quantitative sentence of LG03, section by section",
       "command: make reproduce"};
   judge_claims(evidence);
   for (const fs::path& file : parts(data, "status")) {

@@ -68,11 +68,14 @@ void slipping_starts(Limit& limit) {
 
 Limit take_coulomb_limit(const std::filesystem::path& folder, Record& record) {
   contensou::Table table{
-      {"The tippe-top of LG03 5.4 with Coulomb friction (radius 0) and with a radius of a micrometre (Hertz), mu = 0.3, 180 rad/s, 30 s; SI units.",
-       "start: rolling (gamma_T = 0) or slipping (v_S = 0, as in 5.4). first_stick: of a slipping start. precession: of the axis "
-       "about the vertical, on average; nutation: maxima of theta. By (5.37) they are -0.54956 and 193.648 rad/s at small theta."},
-      {"radius", "start", "theta_0", "theta_least", "theta_largest", "theta_end", "first_stick", "stick_touches", "precession",
-       "nutation", "spin_end", "energy_lost"},
+      {"The tippe-top of LG03 5.4 with Coulomb friction (radius 0) and with a radius of a micrometre "
+       "(Hertz), mu = 0.3, 180 rad/s, 30 s; SI units.",
+       "start: rolling (gamma_T = 0) or slipping (v_S = 0, as in 5.4). first_stick: of a slipping start. "
+       "precession: of the axis "
+       "about the vertical, on average; nutation: maxima of theta. By (5.37) they are -0.54956 and 193.648 "
+       "rad/s at small theta."},
+      {"radius", "start", "theta_0", "theta_least", "theta_largest", "theta_end", "first_stick",
+       "stick_touches", "precession", "nutation", "spin_end", "energy_lost"},
       {}};
   Limit limit;
   const auto [fast, slow] = rolling_rates({});
@@ -108,26 +111,30 @@ Limit take_coulomb_limit(const std::filesystem::path& folder, Record& record) {
   contensou::write_table(table, folder / "coulomb_limit.tsv");
   slipping_starts(limit);
 
-  record.add(Claim{"story.coulomb.rolling", "LG03 5.5, Coulomb friction",
-                   "from a rolling start, theta_0 = 1e-3 ... 0.3, the top does not invert: largest theta/theta_0 in 30 s", 1,
-                   limit.largest_rolling, limit.largest_rolling - 1, 1e-6, true});
+  record.add(Claim{
+      "story.coulomb.rolling", "LG03 5.5, Coulomb friction",
+      "from a rolling start, theta_0 = 1e-3 ... 0.3, the top does not invert: largest theta/theta_0 in 30 s",
+      1, limit.largest_rolling, limit.largest_rolling - 1, 1e-6, true});
   // The axis ends at some phase of a nutation of amplitude |λ_2/λ_1|.
   record.add(Claim{"story.coulomb.precession", "LG03 (5.37)",
-                   "and oscillates at the rates of (5.37), theta_0 = 1e-3: the slow one [rad/s]", limit.precession_537,
-                   limit.precession, std::abs(limit.precession - limit.precession_537),
+                   "and oscillates at the rates of (5.37), theta_0 = 1e-3: the slow one [rad/s]",
+                   limit.precession_537, limit.precession, std::abs(limit.precession - limit.precession_537),
                    2 * std::abs(slow / fast) / duration, true});
   // The first and the last maximum are known to a millisecond.
-  record.add(Claim{"story.coulomb.nutation", "LG03 (5.37)", "and the difference of both [rad/s]", limit.nutation_537,
-                   limit.nutation, std::abs(limit.nutation - limit.nutation_537), limit.nutation_537 * 2e-3 / duration, true});
-  record.add(Claim{"story.coulomb.start", "LG03 5.5, Coulomb friction",
-                   "from the slipping start of 5.4 it does not invert either: largest theta in 30 s, below pi/2 [rad]", 0,
-                   limit.start_54, limit.start_54, std::numbers::pi / 2, true});
+  record.add(Claim{"story.coulomb.nutation", "LG03 (5.37)", "and the difference of both [rad/s]",
+                   limit.nutation_537, limit.nutation, std::abs(limit.nutation - limit.nutation_537),
+                   limit.nutation_537 * 2e-3 / duration, true});
+  record.add(Claim{
+      "story.coulomb.start", "LG03 5.5, Coulomb friction",
+      "from the slipping start of 5.4 it does not invert either: largest theta in 30 s, below pi/2 [rad]", 0,
+      limit.start_54, limit.start_54, std::numbers::pi / 2, true});
   // Slip ends after v/(μg): a few turns of the nutation, each of which adds no more than the slip has.
-  record.add(Claim{"story.coulomb.slipping", "LG03 5.5, Lyapunov stability",
-                   std::to_string(limit.slipping) +
-                       " slipping starts at theta_0 = 1e-4 ... 1e-2, v = 1 ... 30 r_1 psi_dot_0 theta_0: none diverges; "
-                       "largest theta over the larger of theta_0 and v/(r_1 psi_dot_0)",
-                   1, limit.largest_slipping, limit.largest_slipping, 10, true});
+  record.add(Claim{
+      "story.coulomb.slipping", "LG03 5.5, Lyapunov stability",
+      std::to_string(limit.slipping) +
+          " slipping starts at theta_0 = 1e-4 ... 1e-2, v = 1 ... 30 r_1 psi_dot_0 theta_0: none diverges; "
+          "largest theta over the larger of theta_0 and v/(r_1 psi_dot_0)",
+      1, limit.largest_slipping, limit.largest_slipping, 10, true});
   return limit;
 }
 

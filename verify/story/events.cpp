@@ -31,11 +31,13 @@ const std::vector<Entry>& entries() {
   static const std::vector<Entry> all{
       {"stick touches", "s", printed.tip, [](const Curve& c) { return located(c).tip; }, true},
       {"body leaves", "s", never, [](const Curve& c) { return first(c, EventKind::open, 0); }, true},
-      {"upright from", "s", printed.upright_from, [](const Curve& c) { return located(c).upright_from; }, true},
+      {"upright from", "s", printed.upright_from, [](const Curve& c) { return located(c).upright_from; },
+       true},
       {"theta largest", "s", printed.turning, [](const Curve& c) { return located(c).turning; }, false},
       {"upright to", "s", printed.upright_to, [](const Curve& c) { return located(c).upright_to; }, true},
       {"body touches", "s", printed.body, [](const Curve& c) { return located(c).body; }, true},
-      {"double contact from", "s", printed.both_from, [](const Curve& c) { return located(c).both_from; }, false},
+      {"double contact from", "s", printed.both_from, [](const Curve& c) { return located(c).both_from; },
+       false},
       {"double contact to", "s", printed.both_to, [](const Curve& c) { return located(c).both_to; }, false},
       {"rolling from", "s", never, [](const Curve& c) { return first(c, EventKind::stick, 0); }, false},
       {"theta(8 s)", "rad", never, [](const Curve& c) { return at(c, c.theta, 8); }, false},
@@ -43,16 +45,18 @@ const std::vector<Entry>& entries() {
       {"theta(30 s)", "rad", 0, [](const Curve& c) { return c.theta.back(); }, false},
       {"omega_z(30 s)", "rad/s", 0, [](const Curve& c) { return c.omega_z.back(); }, false},
       {"spin(30 s)", "rad/s", 0, [](const Curve& c) { return c.spin.back(); }, false},
-      {"energy(8 s)/energy(0)", "", never, [](const Curve& c) { return at(c, c.energy, 8) / c.energy[0]; }, false},
-      {"energy(30 s)/energy(0)", "", never, [](const Curve& c) { return c.energy.back() / c.energy[0]; }, false},
+      {"energy(8 s)/energy(0)", "", never, [](const Curve& c) { return at(c, c.energy, 8) / c.energy[0]; },
+       false},
+      {"energy(30 s)/energy(0)", "", never, [](const Curve& c) { return c.energy.back() / c.energy[0]; },
+       false},
   };
   return all;
 }
 
 struct Runs {
-  Curve reference;               ///< axis, 1e-12
+  Curve reference;                ///< axis, 1e-12
   std::vector<Curve> tolerances;  ///< axis, 1e-11 and 1e-13
-  Curve euler;                   ///< 1e-12
+  Curve euler;                    ///< 1e-12
 };
 
 Runs runs(const contensou::AnyFriction& friction) {
@@ -99,14 +103,17 @@ void least_inclination(Told& told) {
 
 Told tell_events(const std::filesystem::path& folder, Record& record) {
   const Runs hertz_runs = runs(hertz()), uniform_runs = runs(uniform());
-  contensou::Table table{
-      {"The story of the tippe-top, LG03 5.4: R = 5e-4 m, mu = 0.3, event_driven at tolerance 1e-12, axis of symmetry; SI units.",
-       "tolerance: largest change at 1e-11 and 1e-13; formulation: change with Euler's angles (LG03's coordinates).",
-       "upright: theta > 0.95 pi, which is ours (the paper names no bound), read between samples 1 ms apart; theta "
-       "largest: its re-inversion, t > 4 s. paper: from the text of 5.4, zeros its \"trivial non-rotating equilibrium\"."},
-      {"event", "unit", "paper", "hertz", "hertz_tolerance", "hertz_formulation", "uniform", "uniform_tolerance",
-       "uniform_formulation"},
-      {}};
+  contensou::Table table{{"The story of the tippe-top, LG03 5.4: R = 5e-4 m, mu = 0.3, event_driven at "
+                          "tolerance 1e-12, axis of symmetry; SI units.",
+                          "tolerance: largest change at 1e-11 and 1e-13; formulation: change with Euler's "
+                          "angles (LG03's coordinates).",
+                          "upright: theta > 0.95 pi, which is ours (the paper names no bound), read between "
+                          "samples 1 ms apart; theta "
+                          "largest: its re-inversion, t > 4 s. paper: from the text of 5.4, zeros its "
+                          "\"trivial non-rotating equilibrium\"."},
+                         {"event", "unit", "paper", "hertz", "hertz_tolerance", "hertz_formulation",
+                          "uniform", "uniform_tolerance", "uniform_formulation"},
+                         {}};
   Worst digits, formulations;
   for (const Entry& e : entries()) {
     const Value h = value(e, hertz_runs), u = value(e, uniform_runs);
@@ -114,8 +121,8 @@ Told tell_events(const std::filesystem::path& folder, Record& record) {
       digits.add(std::max(h.tolerance / h.ours, u.tolerance / u.ours));
       formulations.add(std::max(h.formulation / h.ours, u.formulation / u.ours));
     }
-    table.add({std::string(e.name), std::string(e.unit), e.paper, h.ours, h.tolerance, h.formulation, u.ours, u.tolerance,
-               u.formulation});
+    table.add({std::string(e.name), std::string(e.unit), e.paper, h.ours, h.tolerance, h.formulation, u.ours,
+               u.tolerance, u.formulation});
   }
   contensou::write_table(table, folder / "event_story.tsv");
 
@@ -144,38 +151,42 @@ Told tell_events(const std::filesystem::path& folder, Record& record) {
 
   // Eight digits, as events before the accumulation are asked to have.
   constexpr double eight_digits = 5e-9;
-  record.add(Claim{"story.events.tolerance", "the reference solution",
-                   "times before the accumulation, both pressures, tolerance 1e-11 ... 1e-13: largest relative change", 0,
-                   told.digits, told.digits, eight_digits, true});
+  record.add(Claim{
+      "story.events.tolerance", "the reference solution",
+      "times before the accumulation, both pressures, tolerance 1e-11 ... 1e-13: largest relative change", 0,
+      told.digits, told.digits, eight_digits, true});
   record.add(Claim{"story.events.formulation", "the reference solution",
-                   "the same, axis of symmetry against Euler's angles", 0, told.formulations, told.formulations, eight_digits,
-                   true});
+                   "the same, axis of symmetry against Euler's angles", 0, told.formulations,
+                   told.formulations, eight_digits, true});
   Worst balance;
   for (const Runs* r : {&hertz_runs, &uniform_runs}) {
     balance.add(imbalance(r->reference));
     balance.add(imbalance(r->euler));
   }
   record.add(Claim{"story.energy", "the reference solution",
-                   "energy left and dissipated after 30 s add up to that of the start: relative difference", 1,
-                   1 + balance.value(), balance.value(), 1e-9, true});
-  for (const auto& [id, name, times] : {std::tuple{"hertz", "Hertz", told.hertz}, {"uniform", "uniform", told.uniform}}) {
+                   "energy left and dissipated after 30 s add up to that of the start: relative difference",
+                   1, 1 + balance.value(), balance.value(), 1e-9, true});
+  for (const auto& [id, name, times] :
+       {std::tuple{"hertz", "Hertz", told.hertz}, {"uniform", "uniform", told.uniform}}) {
     const std::string pressure = std::string(name) + " pressure: ";
     const std::string where = "LG03 5.4";
     const std::string key = std::string("story.") + id;
     const auto add = [&](const char* what, const char* sentence, double paper, double ours) {
-      record.add(Claim{key + what, where, pressure + sentence, paper, ours, std::abs(ours - paper), reading, false});
+      record.add(
+          Claim{key + what, where, pressure + sentence, paper, ours, std::abs(ours - paper), reading, false});
     };
     add(".tip", "the stick touches at 1.5 s", printed.tip, times.tip);
     add(".body", "the body touches at 4.55 s", printed.body, times.body);
     add(".double.from", "double contact from 4.65 s", printed.both_from, times.both_from);
     add(".double.to", "double contact to 5.4 s", printed.both_to, times.both_to);
   }
-  record.add(Claim{"story.end", "LG03 5.4", "the top turns to its trivial position: theta after 30 s, Hertz [rad]", 0,
-                   told.theta_30, told.theta_30, 0.01, false});
+  record.add(Claim{"story.end", "LG03 5.4",
+                   "the top turns to its trivial position: theta after 30 s, Hertz [rad]", 0, told.theta_30,
+                   told.theta_30, 0.01, false});
   const double rolling_loss = 1 - end.energy.back() / at(end, end.energy, std::ceil(told.rolling) + 1);
   record.add(Claim{"story.end.rolls", "the end of LG03 5.4",
-                   "from where it rolls on, nothing is dissipated: relative loss of energy until 30 s, Hertz", 0,
-                   rolling_loss, std::abs(rolling_loss), 1e-9, true});
+                   "from where it rolls on, nothing is dissipated: relative loss of energy until 30 s, Hertz",
+                   0, rolling_loss, std::abs(rolling_loss), 1e-9, true});
   return told;
 }
 

@@ -41,7 +41,8 @@ class Table {
     setting.duration = duration;
     if (setting.options.method == Method::event_driven) setting.options.tolerance = tolerance;
     std::string method = contensou::name(setting.options.method);
-    if (contensou::has_fixed_step(setting.options.method)) method.append(" ").append(contensou::to_text(setting.options.step));
+    if (contensou::has_fixed_step(setting.options.method))
+      method.append(" ").append(contensou::to_text(setting.options.step));
     if (setting.euler) method += ", Euler angles";
     Curve curve = follow(setting);
     take(group, hypothesis, method, curve, chosen);
@@ -56,14 +57,16 @@ class Table {
 
   const std::vector<Result>& results() const { return results_; }
   const Result& of(const std::string& hypothesis) const {
-    return *std::find_if(results_.begin(), results_.end(), [&](const Result& r) { return r.hypothesis == hypothesis; });
+    return *std::find_if(results_.begin(), results_.end(),
+                         [&](const Result& r) { return r.hypothesis == hypothesis; });
   }
 
  private:
-  void take(const std::string& group, const std::string& hypothesis, const std::string& method, const Curve& curve,
-            bool chosen) {
+  void take(const std::string& group, const std::string& hypothesis, const std::string& method,
+            const Curve& curve, bool chosen) {
     const Times times = read(curve);
-    results_.push_back({group, hypothesis, method, times, deviation(times), contensou::name(curve.report.status), chosen});
+    results_.push_back(
+        {group, hypothesis, method, times, deviation(times), contensou::name(curve.report.status), chosen});
   }
 
   std::vector<Result> results_;
@@ -93,12 +96,16 @@ struct Pressure {
   contensou::AnyFriction friction;
 };
 
-std::string rounded(double value, double unit) { return contensou::to_text(std::round(value / unit) / std::round(1 / unit)); }
+std::string rounded(double value, double unit) {
+  return contensou::to_text(std::round(value / unit) / std::round(1 / unit));
+}
 /// "what = value unit".
 std::string naming(std::string what, double value, double unit_of_rounding, const char* unit = "") {
   return what.append(" = ").append(rounded(value, unit_of_rounding)).append(unit);
 }
-std::string naming_radius(std::string what, double radius) { return naming(std::move(what), radius * 1e6, 0.01, " um"); }
+std::string naming_radius(std::string what, double radius) {
+  return naming(std::move(what), radius * 1e6, 0.01, " um");
+}
 
 Setting with(const contensou::AnyFriction& friction) {
   Setting s;
@@ -128,9 +135,9 @@ void laws(Table& table) {
   table.run("law", "Hertz, plate (3.19) as printed", soft_plate("hertz", "printed"));
   table.run("law", "Hertz, plate (3.19) corrected", soft_plate("hertz", "corrected"));
   table.run("law", "paraboloid, n = 1", with(paraboloid()));
-  table.run("law", "Pade of first order, Hertz", soft(contensou::PadeLaw(
-                                                     1, contensou::HertzLaw{}.extent().eta,
-                                                     contensou::HertzLaw{}.curvature(0, 1).vv, 0.2)));
+  table.run("law", "Pade of first order, Hertz",
+            soft(contensou::PadeLaw(1, contensou::HertzLaw{}.extent().eta,
+                                    contensou::HertzLaw{}.curvature(0, 1).vv, 0.2)));
   table.run("law", "radial projection, uniform", with(radial_uniform()));
   table.run("law", "slope 3/(8 pi) of (5.24)", with(misprinted_slope()));
   table.run("law", "no drilling torque", with(without_drilling()));
@@ -150,12 +157,16 @@ void schemes(Table& table) {
     return s;
   };
   const std::string name = "step and coordinates";
-  for (const double step : {1e-3, 5e-4, 2e-4, 1e-4}) table.run("scheme", name, scheme(Method::rk4_printed, step, false));
+  for (const double step : {1e-3, 5e-4, 2e-4, 1e-4})
+    table.run("scheme", name, scheme(Method::rk4_printed, step, false));
   for (const double step : {1e-3, 1.5e-4, 1e-4, 9e-5, 5e-5})
     table.run("scheme", name, scheme(Method::rk4_printed, step, true));
-  for (const double step : {1e-3, 1e-4}) table.run("scheme", name, scheme(Method::moreau_printed, step, false));
-  for (const double step : {1e-3, 2e-4, 1e-4, 2e-5}) table.run("scheme", name, scheme(Method::moreau_printed, step, true));
-  for (const double step : {2e-4, 1e-4}) table.run("scheme", name, scheme(Method::moreau_implicit, step, true));
+  for (const double step : {1e-3, 1e-4})
+    table.run("scheme", name, scheme(Method::moreau_printed, step, false));
+  for (const double step : {1e-3, 2e-4, 1e-4, 2e-5})
+    table.run("scheme", name, scheme(Method::moreau_printed, step, true));
+  for (const double step : {2e-4, 1e-4})
+    table.run("scheme", name, scheme(Method::moreau_implicit, step, true));
   for (const double step : {1e-3, 1e-4, 5e-5}) table.run("scheme", name, scheme(Method::rk4, step, true));
   Setting s = scheme(Method::rk4_printed, 2e-4, false);
   for (const double tol : {1e-9, 1e-7}) {
@@ -273,21 +284,27 @@ Setting fits(Table& table) {
 void write(const Table& table, const std::filesystem::path& folder) {
   contensou::Table out{
       {"What could make the times of LG03 5.4 for the tippe-top: one thing changed at a time; s.",
-       "Read as from Figs. 9 and 10, from samples 1 ms apart: contact is a gap below 1e-6 m; the body touches after it "
-       "had risen by 1 mm; double contact lasts 50 ms or more; upright is theta > 0.95 pi (ours: the paper names no bound); "
+       "Read as from Figs. 9 and 10, from samples 1 ms apart: contact is a gap below 1e-6 m; the body "
+       "touches after it "
+       "had risen by 1 mm; double contact lasts 50 ms or more; upright is theta > 0.95 pi (ours: the paper "
+       "names no bound); "
        "turning: theta is largest.",
-       "rms: of stick_touches, body_touches, double_from, double_to to the paper's (inf: one does not happen within 6.5 s). "
-       "agreeing: how many of the four are within 0.05 s. Times rounded to 0.05 s would give an rms of 0.014 to 0.029.",
-       "Unless said otherwise: Hertz pressure, R = 5e-4 m, mu = 0.3, body touching at the start, event_driven at tolerance 1e-9. "
-       "soft floor: lambda_N = -k g - d g', sinking by 1e-6 m at rest, friction a function of the velocity (Friedl's model).",
+       "rms: of stick_touches, body_touches, double_from, double_to to the paper's (inf: one does not happen "
+       "within 6.5 s). "
+       "agreeing: how many of the four are within 0.05 s. Times rounded to 0.05 s would give an rms of 0.014 "
+       "to 0.029.",
+       "Unless said otherwise: Hertz pressure, R = 5e-4 m, mu = 0.3, body touching at the start, "
+       "event_driven at tolerance 1e-9. "
+       "soft floor: lambda_N = -k g - d g', sinking by 1e-6 m at rest, friction a function of the velocity "
+       "(Friedl's model).",
        "fitted: the best of a grid, single parameters and R with mu."},
-      {"group", "hypothesis", "method", "stick_touches", "upright_from", "upright_to", "turning", "body_touches",
-       "double_from", "double_to", "rms", "agreeing", "status"},
+      {"group", "hypothesis", "method", "stick_touches", "upright_from", "upright_to", "turning",
+       "body_touches", "double_from", "double_to", "rms", "agreeing", "status"},
       {}};
   for (const Result& r : table.results()) {
     const Times& t = r.times;
-    out.add({r.group, r.hypothesis, r.method, t.tip, t.upright_from, t.upright_to, t.turning, t.body, t.both_from,
-             t.both_to, r.rms, static_cast<double>(agreeing(t)), r.status});
+    out.add({r.group, r.hypothesis, r.method, t.tip, t.upright_from, t.upright_to, t.turning, t.body,
+             t.both_from, t.both_to, r.rms, static_cast<double>(agreeing(t)), r.status});
   }
   contensou::write_table(out, folder / "story_hypotheses.tsv");
 }
@@ -310,12 +327,14 @@ Weighed weigh_hypotheses(const std::filesystem::path& folder, Record& record) {
   const Curve fitted = follow(best);
   write(table, folder);
 
-  contensou::Table curves{{"theta [rad] of the tippe-top of LG03 5.4 over t [s] under some of the hypotheses of story_hypotheses.tsv.",
+  contensou::Table curves{{"theta [rad] of the tippe-top of LG03 5.4 over t [s] under some of the hypotheses "
+                           "of story_hypotheses.tsv.",
                            naming(naming_radius("fitted: R", best.radius) + ", mu", best.mu, 1e-4)},
                           {"t", "hertz", "uniform", "ellipsoid", "radial", "fitted"},
                           {}};
   for (std::size_t k = 0; k < exact.t.size(); k += 4)
-    curves.add({exact.t[k], exact.theta[k], even.theta[k], ellipse.theta[k], along_rays.theta[k], fitted.theta[k]});
+    curves.add(
+        {exact.t[k], exact.theta[k], even.theta[k], ellipse.theta[k], along_rays.theta[k], fitted.theta[k]});
   contensou::write_table(curves, folder / "story_theta.tsv");
 
   Weighed weighed;
@@ -325,23 +344,27 @@ Weighed weigh_hypotheses(const std::filesystem::path& folder, Record& record) {
     weighed.agreeing += agreeing(r.times) == 4;
   }
   record.add(Claim{"story.hypotheses.one", "LG03 5.4",
-                   "of the changes tried one at a time without fitting a number, one gives all four times of contact within "
+                   "of the changes tried one at a time without fitting a number, one gives all four times of "
+                   "contact within "
                    "0.05 s: how many do",
                    1, static_cast<double>(weighed.agreeing), std::abs(1.0 - weighed.agreeing), 0, false});
   for (const Result& r : table.results()) {
     if (r.group == "one percent")
-      weighed.percent = std::max(weighed.percent, std::abs(r.times.body - table.of("Hertz, exact").times.body));
+      weighed.percent =
+          std::max(weighed.percent, std::abs(r.times.body - table.of("Hertz, exact").times.body));
   }
   record.add(Claim{"story.hypotheses.percent", "LG03 5.4",
-                   "data known to a percent fix the time at which the body touches to 0.05 s: largest change by a percent of "
+                   "data known to a percent fix the time at which the body touches to 0.05 s: largest change "
+                   "by a percent of "
                    "one of them [s]",
                    0, weighed.percent, weighed.percent, reading, false});
-  // The floor of a micrometre against Signorini's, before it is used for laws that have no friction ball. The sinking moves
-  // the gap of the other contact by as much, which a speed of some 1e-2 m/s makes up in 1e-4 s; the time upright
-  // stretches that by the growth of the re-inversion, some e³.
+  // The floor of a micrometre against Signorini's, before it is used for laws that have no friction ball. The
+  // sinking moves the gap of the other contact by as much, which a speed of some 1e-2 m/s makes up in 1e-4 s;
+  // the time upright stretches that by the growth of the re-inversion, some e³.
   const Times hard = table.of("Hertz, exact").times, give = table.of("Hertz, soft floor").times;
   record.add(Claim{"story.hypotheses.soft", "this table",
-                   "the soft floor moves the times at which stick and body touch by no more than 5 ms", hard.body, give.body,
+                   "the soft floor moves the times at which stick and body touch by no more than 5 ms",
+                   hard.body, give.body,
                    std::max(std::abs(hard.tip - give.tip), std::abs(hard.body - give.body)), 5e-3, true});
   return weighed;
 }

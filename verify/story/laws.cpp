@@ -33,8 +33,8 @@ HomogeneousLaw of(const Law& law) {
 
 template <class Law>
 contensou::AnyFriction radial_of(const SmoothPlate<Law>& plate) {
-  // With the gauge g(v, s) of the plate, (ξ, η) = (v, s)/g, and ∂g/∂s = n_τ/support(n) with the normal n at the
-  // border point on the ray. ξ is homogeneous of degree zero: v ∂ξ/∂v = −s ∂ξ/∂s = (v s/g²) ∂g/∂s.
+  // With the gauge g(v, s) of the plate, (ξ, η) = (v, s)/g, and ∂g/∂s = n_τ/support(n) with the normal n at
+  // the border point on the ray. ξ is homogeneous of degree zero: v ∂ξ/∂v = −s ∂ξ/∂s = (v s/g²) ∂g/∂s.
   return compiled({[&plate](double v, double s) {
                      const double gauge = plate.ray(v, s).gauge;
                      return Friction{v / gauge, s / gauge};

@@ -1,6 +1,7 @@
-// The story of LG03 5.4 told by the reference solution, what could make the paper's times, the inversion over the contact
-// radius and in the limit of Coulomb friction, and how the top ends for any radius and friction. Writes event_story.tsv,
-// story_hypotheses.tsv, story_theta.tsv, inversion_over_radius.tsv, coulomb_limit.tsv, end_states.tsv.
+// The story of LG03 5.4 told by the reference solution, what could make the paper's times, the inversion over
+// the contact radius and in the limit of Coulomb friction, and how the top ends for any radius and friction.
+// Writes event_story.tsv, story_hypotheses.tsv, story_theta.tsv, inversion_over_radius.tsv,
+// coulomb_limit.tsv, end_states.tsv.
 //   verify_story [--out FOLDER]
 
 #include <filesystem>

@@ -49,14 +49,17 @@ void read_inclination(const Curve& c, Times& times) {
   if (k == 0 || k + 1 >= c.t.size()) return;
   // The vertex of the parabola through three samples.
   const double left = c.theta[k] - c.theta[k - 1], right = c.theta[k] - c.theta[k + 1];
-  if (left >= 0 && right > 0) times.turning = c.t[k] + (c.t[k + 1] - c.t[k]) * (left - right) / (2 * (left + right));
+  if (left >= 0 && right > 0)
+    times.turning = c.t[k] + (c.t[k + 1] - c.t[k]) * (left - right) / (2 * (left + right));
 }
 
 std::array<double, 4> contact_times(const Times& t) { return {t.tip, t.body, t.both_from, t.both_to}; }
 
 }  // namespace
 
-contensou::AnyFriction hertz() { return contensou::FrictionBall(contensou::SmoothPlate(contensou::HertzLaw{})); }
+contensou::AnyFriction hertz() {
+  return contensou::FrictionBall(contensou::SmoothPlate(contensou::HertzLaw{}));
+}
 contensou::AnyFriction uniform() {
   return contensou::FrictionBall(contensou::SmoothPlate(contensou::UniformLaw{}));
 }

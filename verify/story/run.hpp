@@ -25,8 +25,9 @@ struct Setting {
   double phi_dot = 0;    ///< φ̇_0 [rad/s]
   std::optional<double> z_s = {};
   bool rolling = false;  ///< v_S such that the body starts with γ_T = 0, not at rest
-  Eigen::Vector2d slide = Eigen::Vector2d::Zero();  ///< and then this more of v_S [m/s]; axis only, as the former
-  bool euler = false;    ///< LG03's coordinates, else the axis of symmetry
+  Eigen::Vector2d slide =
+      Eigen::Vector2d::Zero();  ///< and then this more of v_S [m/s]; axis only, as the former
+  bool euler = false;           ///< LG03's coordinates, else the axis of symmetry
   contensou::IntegratorOptions options = {};
   double duration = 8;  ///< [s]
 };
@@ -40,7 +41,7 @@ struct Curve {
   std::vector<double> omega_z;  ///< ω_3 along the vertical
   std::vector<double> spin;     ///< ω·e_3^4
   std::vector<Eigen::Vector3d> axis;
-  bool body_sticks = false;  ///< at the end
+  bool body_sticks = false;    ///< at the end
   std::vector<double> energy;  ///< [J]
   contensou::RunReport report;
 };
