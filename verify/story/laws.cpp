@@ -4,7 +4,7 @@
 #include <numbers>
 #include <utility>
 
-#include "contensou/law/catalogue.hpp"
+#include "contensou/law/power.hpp"
 
 namespace verify::story {
 namespace {
@@ -63,14 +63,9 @@ contensou::AnyFriction compiled(const HomogeneousLaw& law) {
   return FrictionBall(SmoothPlate(CompiledLaw(inner, outer, extent, accuracy)));
 }
 
-contensou::AnyFriction printed_uniform() { return compiled(of(contensou::PrintedUniformLaw{})); }
-contensou::AnyFriction series(double n, int terms) { return compiled(of(contensou::SeriesLaw(n, terms))); }
 contensou::AnyFriction paraboloid() { return compiled(of(contensou::PowerLaw(1))); }
 contensou::AnyFriction ellipsoid() {
   return FrictionBall(SmoothPlate(contensou::EllipsoidLaw(contensou::HertzLaw{}.extent())));
-}
-contensou::AnyFriction pade() {
-  return std::visit([](const auto& law) { return compiled(of(law)); }, contensou::make_law("hertz", "pade"));
 }
 contensou::AnyFriction radial_hertz() { return radial_of(SmoothPlate(contensou::HertzLaw{})); }
 contensou::AnyFriction radial_uniform() { return radial_of(SmoothPlate(contensou::UniformLaw{})); }

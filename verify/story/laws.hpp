@@ -18,14 +18,8 @@ struct HomogeneousLaw {
 /// to the force projected.
 contensou::AnyFriction compiled(const HomogeneousLaw& law);
 
-/// LG03 (2.13), (2.14) to the letter: four terms, a step at u = 1.
-contensou::AnyFriction printed_uniform();
-/// The series of σ ∝ (1 − ρ²/R²)ⁿ with a few terms.
-contensou::AnyFriction series(double n, int terms);
 /// With the semi-axes of Hertz.
 contensou::AnyFriction ellipsoid();
-/// Of first order, for Hertz.
-contensou::AnyFriction pade();
 /// True paraboloid, n = 1.
 contensou::AnyFriction paraboloid();
 /// What an iteration finds that projects on the exact ball along rays, not to the nearest point: the force on

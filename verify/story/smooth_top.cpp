@@ -1,7 +1,6 @@
 #include "smooth_top.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "contensou/integrate/dop853.hpp"
@@ -96,7 +95,6 @@ Curve follow(const SmoothTop& top, double interval) {
     y.segment<3>(3).normalize();
     motion.derivative(t, y, rate);
     ++c.report.steps;
-    // Nothing smooth is left of a step longer than an interval of the floor's own oscillation.
     h *= std::clamp(factor, 0.2, 5.0);
   }
   return c;
