@@ -12,11 +12,6 @@
 // ms and longer while the top is fast; 80 taken) may all point in one: times √80. To this come the error bar
 // of the reference, rounding, and the error of one step that the sample itself carries: the distance of a
 // closed contact has no other.
-//
-// After an accumulation there is one more. `event_driven` ends the impacts where bounces are shorter than
-// 5e-6 of its unit of time, and closes the contacts for good without the friction impulse that belongs to
-// this: μ times half the speed of a fall that lasts as long. One error in the state; what it becomes is a
-// share of the spread's N errors, spread/√N.
 
 #include <algorithm>
 #include <cmath>
@@ -38,26 +33,14 @@ constexpr double tolerance = 1e-12;  // reproduce/common/tippe_top_motion.hpp
 constexpr double components = 16, coherent = 80;
 constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();  // of a few operations
 
-// LG03 5.4 [m, m/s², kg, kg m²]
-constexpr double length = 0.021, g = 9.81, mu = 0.3, m = 6e-3;
-constexpr double energy = 7e-7 * 180 * 180 / 2 + m * g * 0.012;
-constexpr double kicks = 12 * 1000;  // of the spread, a second
-
-// In units of the scale of velocities.
-double closing() {
-  const double shortest = 5e-6 * std::sqrt(length / g);
-  return mu * g * shortest / 2 / std::sqrt(2 * energy / m);
-}
+constexpr double length = 0.021;  // from the centre of mass to the far side [m]
 
 struct Allowed {
-  double accumulation;  ///< [s], after the end where there is none
-  double scale;         ///< of the value
+  double scale;  ///< of the value
 
-  double at(double t, double error, double spread) const {
-    double bound = error + tolerance * std::sqrt(components * coherent) * spread +
-                   (rounding + tolerance * std::sqrt(components)) * scale;
-    if (t > accumulation) bound += closing() * spread / std::sqrt(kicks * accumulation);
-    return bound;
+  double at(double error, double spread) const {
+    return error + tolerance * std::sqrt(components * coherent) * spread +
+           (rounding + tolerance * std::sqrt(components)) * scale;
   }
 };
 
@@ -107,14 +90,14 @@ bool same_curve(const Table& fresh, const std::string& column, const Table& refe
     if (extent == Extent::detail && (at[i] < t.front() || at[i] > t.back())) continue;
     while (k < t.size() && t[k] < at[i] - 1e-9) ++k;
     const bool there = k < t.size() && std::abs(t[k] - at[i]) < 1e-9;
-    verdict.add(there ? std::abs(x[k] - expected[i]) : NAN, allowed.at(at[i], error[i], spread[i]), at[i]);
+    verdict.add(there ? std::abs(x[k] - expected[i]) : NAN, allowed.at(error[i], spread[i]), at[i]);
   }
   return verdict.say(column + " " + quantity);
 }
 
 // The same events in the same order at the same times, as far as the reference goes.
 bool same_events(const Table& fresh, const std::string& run, const Table& reference, double until) {
-  const Allowed allowed{accumulation(reference), 0.04};  // a nutation
+  const Allowed allowed{0.04};  // a nutation
   struct Event {
     double t;
     std::string name;
@@ -150,7 +133,7 @@ bool same_events(const Table& fresh, const std::string& run, const Table& refere
     if (!same)
       std::printf("%s: %s at %.9g, reference %s at %.9g\n", run.c_str(), ours[i].name.c_str(), ours[i].t,
                   theirs[i].name.c_str(), theirs[i].t);
-    verdict.add(same ? std::abs(ours[i].t - theirs[i].t) : NAN, allowed.at(theirs[i].t, error[i], spread[i]),
+    verdict.add(same ? std::abs(ours[i].t - theirs[i].t) : NAN, allowed.at(error[i], spread[i]),
                 theirs[i].t);
   }
   return verdict.say(run + " events");
@@ -164,13 +147,13 @@ bool same_impacts(const Table& fresh, const Table& reference) {
              contacts = reference.texts("contact");
   const auto times = reference.numbers("t"), error = reference.numbers("t_error"),
              spread = reference.numbers("t_spread");
-  const Allowed allowed{std::numeric_limits<double>::infinity(), 0.04};
+  const Allowed allowed{0.04};
   Verdict verdict;
   std::size_t k = 0;
   for (std::size_t i = 0; i < times.size(); ++i) {
     if (event[i] != "close" || times[i] < t.front() - 1e-3 || times[i] > end) continue;
     const bool there = k < t.size() && contact[k] == contacts[i];
-    const double bound = allowed.at(times[i], error[i], spread[i]);
+    const double bound = allowed.at(error[i], spread[i]);
     verdict.add(there ? std::abs(t[k] - times[i]) : NAN, bound, times[i]);
     verdict.add(there ? std::abs(t[k] + left[k] - end) : NAN, bound, times[i]);
     if (there && k + 1 < t.size()) verdict.add(std::abs(t[k] + next[k] - t[k + 1]), 4 * rounding, times[i]);
@@ -194,9 +177,9 @@ bool figure_holds(const std::string& figure, const fs::path& fresh, const fs::pa
   };
   const Table curve = contensou::read_table(fresh / (figure + ".tsv"));
   const Table hertz = motion("hertz_5e-4"), hertz_events = motion("hertz_5e-4_events");
-  if (figure == "animation") return same_attitudes(curve, hertz, {accumulation(hertz_events), 4});
+  if (figure == "animation") return same_attitudes(curve, hertz, {4});
   if (figure == "fig10") {
-    const Allowed allowed{accumulation(hertz_events), 2 * length};  // z and a cosθ
+    const Allowed allowed{2 * length};  // z and a cosθ
     const Table rocking = contensou::read_table(fresh / "fig10_rocking.tsv");
     bool good = same_impacts(contensou::read_table(fresh / "fig10_impacts.tsv"), hertz_events);
     for (const std::string contact : {"body", "tip"}) {
@@ -212,10 +195,10 @@ bool figure_holds(const std::string& figure, const fs::path& fresh, const fs::pa
     const std::string name = figure == "fig09" ? run + "_5e-4" : "hertz_" + run;
     const Table expected = motion(name);
     const Table happened = motion(name + "_events");
-    good = same_curve(curve, run, expected, "theta", {accumulation(happened), 4}) && good;
+    good = same_curve(curve, run, expected, "theta", {4}) && good;
     if (figure == "fig09") {
       const Table near = contensou::read_table(fresh / "fig09_nutation.tsv");
-      good = same_curve(near, run, expected, "theta", {accumulation(happened), 4}, Extent::detail) && good;
+      good = same_curve(near, run, expected, "theta", {4}, Extent::detail) && good;
     }
     good = same_events(events, run, happened, expected.numbers("t").back()) && good;
   }
