@@ -38,7 +38,7 @@ EventSearch::EventSearch(ContactDynamics& dynamics, const MotionScales& scales,
   const std::size_t count = dynamics.contacts();
   armed_.assign(count, true);
   for (auto* values : {&at_start_, &at_end_, &between_values_}) values->assign(2 * count, 0.0);
-  for (auto* spins : {&spin_at_start_, &spin_at_end_}) spins->assign(count, 0.0);
+  for (auto* spins : {&spin_at_start_, &spin_at_end_, &rise_at_start_}) spins->assign(count, 0.0);
   for (Eigen::VectorXd* v : {&between_, &between_rate_}) v->resize(dynamics.size());
 }
 
@@ -71,13 +71,21 @@ void EventSearch::note_spins(std::vector<double>& spins) const {
 void EventSearch::begin(double t, const Eigen::VectorXd& y) {
   monitor(t, y, at_start_);
   note_spins(spin_at_start_);
+  for (std::size_t i = 0; i < modes_.size(); ++i) {
+    if (modes_[i] == ContactMode::open) rise_at_start_[i] = normal_velocity(i, t, y);
+  }
+}
+
+double EventSearch::normal_velocity(std::size_t contact, double t, const Eigen::VectorXd& y) {
+  dynamics_.system().contact_rows(contact, t, y.head(dynamics_.coordinates()),
+                                  y.segment(dynamics_.coordinates(), dynamics_.velocities()), rows_);
+  return rows_.velocity[0];
 }
 
 void EventSearch::accept(double t, const Eigen::VectorXd& y) {
   for (std::size_t i = 0; i < modes_.size(); ++i) {
     if (!fresh(i)) continue;
-    armed_[i] =
-        dynamics_.system().gap(i, t, y.head(dynamics_.coordinates())) > armed_gap * scales_.length;
+    armed_[i] = dynamics_.system().gap(i, t, y.head(dynamics_.coordinates())) > armed_gap * scales_.length;
   }
   begin(t, y);
 }
@@ -103,17 +111,47 @@ bool EventSearch::comes_near() const {
   return false;
 }
 
+/// Where in the step the gap of a contact is least that falls at the start and rises at the end, by the cubic
+/// with these gaps and velocities. None if that has not half the gaps at the ends: then it is far from zero.
+std::optional<double> EventSearch::lowest(std::size_t contact, OdeStep& stepper, double t, double h) {
+  if (modes_[contact] != ContactMode::open || !armed_[contact] || !(rise_at_start_[contact] < 0))
+    return std::nullopt;
+  const double unit = h / scales_.length;
+  const double fall = rise_at_start_[contact] * unit;
+  const double rise = normal_velocity(contact, t + h, stepper.end()) * unit;
+  if (!(rise > 0)) return std::nullopt;
+  const double start = at_start_[2 * contact], end = at_end_[2 * contact];
+  // Its slope is fall + bθ + aθ², negative at 0, positive at 1: one zero between.
+  const double a = 3 * (fall + rise - 2 * (end - start)), b = 2 * (3 * (end - start) - 2 * fall - rise);
+  const double root = std::sqrt(std::max(b * b - 4 * a * fall, 0.0));
+  const double theta = b > 0 ? -2 * fall / (b + root) : (root - b) / (2 * a);
+  const double least = start + theta * (fall + theta * (b / 2 + theta * a / 3));
+  return 2 * least < std::min(start, end) ? std::optional(theta) : std::nullopt;
+}
+
+/// Where inside the step just tried a monitor is negative, if looking at the likely places finds one; all
+/// monitors are then those of there.
+std::optional<double> EventSearch::event_inside(OdeStep& stepper, double t, double h) {
+  for (std::size_t i = 0; i < modes_.size(); ++i) {
+    const std::optional<double> theta = lowest(i, stepper, t, h);
+    if (theta && !evaluate_between(stepper, t, h, *theta)) return theta;
+  }
+  if (!comes_near()) return std::nullopt;
+  for (int look = 1; look <= looks_inside; ++look) {
+    const double theta = static_cast<double>(look) / (looks_inside + 1);
+    if (!evaluate_between(stepper, t, h, theta)) return theta;
+  }
+  return std::nullopt;
+}
+
 std::optional<EventSearch::Found> EventSearch::find(OdeStep& stepper, double t, double h) {
   monitor(t + h, stepper.end(), at_end_);
   note_spins(spin_at_end_);
   double last = 1;  // where a monitor is negative
   if (quiet(at_end_)) {
-    if (!comes_near()) return std::nullopt;
-    int look = 1;
-    while (look <= looks_inside && evaluate_between(stepper, t, h, static_cast<double>(look) / (looks_inside + 1)))
-      ++look;
-    if (look > looks_inside) return std::nullopt;
-    last = static_cast<double>(look) / (looks_inside + 1);
+    const std::optional<double> inside = event_inside(stepper, t, h);
+    if (!inside) return std::nullopt;
+    last = *inside;
     at_end_ = between_values_;
   }
   std::optional<Found> first;
@@ -126,8 +164,8 @@ std::optional<EventSearch::Found> EventSearch::find(OdeStep& stepper, double t, 
   return first;
 }
 
-/// Where in the step just tried a contact that opened at its start, or little before, has risen: from there it
-/// is watched for closing at zero. 0 where it never has, or was armed before.
+/// Where in the step just tried a contact that opened at its start, or little before, has risen: from there
+/// it is watched for closing at zero. 0 where it never has, or was armed before.
 double EventSearch::risen(OdeStep& stepper, double t, double h, std::size_t contact, double last) {
   if (!fresh(contact)) return 0;
   constexpr int halvings = 30;
@@ -179,7 +217,8 @@ std::optional<double> EventSearch::land(OdeStep& stepper, double t, const Eigen:
     const double corrected = length - value / slope;
     const bool progress = std::abs(corrected - length) > epsilon * std::abs(t);
     if (attempt == attempts || !(slope < 0) || !progress)
-      return std::abs(value) <= good_enough || (slope < 0 && !progress) ? std::optional(length) : std::nullopt;
+      return std::abs(value) <= good_enough || (slope < 0 && !progress) ? std::optional(length)
+                                                                        : std::nullopt;
     if (!(corrected > 0 && corrected <= past_the_step * h)) return std::nullopt;
     length = corrected;
   }
