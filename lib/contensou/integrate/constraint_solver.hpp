@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/QR>
 #include <vector>
 
 namespace contensou {
@@ -10,22 +9,27 @@ namespace contensou {
 /// columns of very different size (that of a torque is smaller than the others by (R/length)²), and dependent
 /// where constraints repeat each other; b in its range. Rows and columns are scaled by 1/√A_ii first; pivots
 /// below 1e-11 are then dependence: far above rounding, far below the size of a patch. Of dependent
-/// constraints the scaled forces have least norm.
+/// constraints the forces x have least norm, so that none is asked for more than it need bear.
 ///
-/// Elimination with full pivoting in memory of its own; only where constraints are dependent does it allocate.
+/// Elimination with full pivoting; no allocation once systems stop growing.
 class ConstraintSolver {
  public:
-  /// To be filled in by the caller, after resize(): A (destroyed) and b.
+  /// For a system of m equations; `matrix` and `side` are then at least that large.
+  void resize(Eigen::Index m);
+  /// To be filled in by the caller after resize(): A and b; lost in solve().
   Eigen::MatrixXd matrix;
   Eigen::VectorXd side;
 
-  void resize(Eigen::Index m);
-  /// x, not a number where A is not finite; valid until the next call.
+  /// x, the first m entries; valid until the next call.
   const Eigen::VectorXd& solve();
 
  private:
+  Eigen::Index eliminate();
+  void take_least_norm(Eigen::Index rank);
+
+  Eigen::Index m_ = 0;
   Eigen::VectorXd scale_, solution_;
-  Eigen::MatrixXd eliminated_;
+  Eigen::MatrixXd null_space_;
   std::vector<Eigen::Index> column_;
 };
 

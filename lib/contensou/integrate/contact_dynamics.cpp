@@ -29,6 +29,16 @@ ContactDynamics::ContactDynamics(const MechanicalSystem& system)
   constraints_.reserve(4 * count);
   moved_.resize(size());
   moved_rate_.resize(size());
+  border_gradient_.resize(n_ + f_);
+}
+
+bool ContactDynamics::paradox() const {
+  constexpr double nearly = 1e-6;
+  return std::any_of(closed_.begin(), closed_.end(), [this](std::size_t i) {
+    const auto normal = rows_[i].directions.col(0);
+    return modes_[i] == ContactMode::slip &&
+           normal.dot(response_[i]) < nearly * normal.dot(rows_[i].response.col(0));
+  });
 }
 
 void ContactDynamics::set_modes(const std::vector<ContactMode>& modes) {
@@ -138,6 +148,7 @@ double ContactDynamics::relaxation_rate() const {
   for (const std::size_t i : closed_) {
     const int dimension = friction_[i].dimension();
     if (modes_[i] != ContactMode::slip || dimension == 0) continue;
+    if (rows_[i].velocity.segment(1, dimension).isZero(0)) continue;  // at rest: no rate at all
     const Eigen::Matrix3d law = friction_[i].derivative(rows_[i].velocity.tail<3>());
     double trace = 0;
     for (int k = 0; k < dimension; ++k) {
@@ -177,7 +188,8 @@ void ContactDynamics::jacobian(double t, const Eigen::VectorXd& y, const Eigen::
       derivative(t, y, moved_rate_);
       moved_rate_ -= rate;
       moved_rate_ /= increment;
-      jacobian.noalias() += moved_rate_ * (law.row(k) * velocity_gradient_[i]);
+      border_gradient_.noalias() = law.row(k) * velocity_gradient_[i];
+      jacobian.noalias() += moved_rate_ * border_gradient_;
     }
     border_[i] = held;
   }

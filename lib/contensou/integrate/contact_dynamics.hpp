@@ -48,9 +48,12 @@ class ContactDynamics final : public OdeSystem {
   const SlipFriction& friction(std::size_t contact) const { return friction_[contact]; }
   /// γ̇ [m/s²] of a closed contact.
   Eigen::Vector4d contact_acceleration(std::size_t contact, const Eigen::VectorXd& dy) const;
-  /// The fastest rate at which friction brings slip to its equilibrium [1/s], an upper bound: the trace of
-  /// μλ_N W_FF ∂x̂/∂γ_F, the largest over all contacts. 0 without slip.
+  /// The fastest rate at which friction of one contact brings its slip to equilibrium [1/s], an upper bound:
+  /// the trace of μλ_N W_FF ∂x̂/∂γ_F, the largest of all contacts. 0 without slip.
   double relaxation_rate() const;
+  /// Whether friction is about to drive a slipping contact into the floor, however it is pressed: its
+  /// w_Nᵀ M⁻¹ (w_N − μ W_F x̂) is not positive, or next to nothing (Painlevé's paradox).
+  bool paradox() const;
 
  private:
   void evaluate(double t, const Eigen::VectorXd& y, Eigen::VectorXd& dy);
@@ -84,6 +87,7 @@ class ContactDynamics final : public OdeSystem {
   Eigen::VectorXd moved_, moved_rate_;
   std::vector<Eigen::MatrixXd> velocity_gradient_;  ///< ∂γ_F/∂(q, u), 3 × (n + f)
   std::vector<Eigen::Vector3d> velocity_;
+  Eigen::RowVectorXd border_gradient_;
 };
 
 }  // namespace contensou

@@ -208,6 +208,15 @@ bool ContactInstant::decide(State& state, std::vector<ContactMode>& modes,
     for (int k = 0; k < dimension; ++k) targets_.push_back({i, k + 1, start[k]});
   }
   apply(state, report);
+
+  // Another contact that sticks may leave a slip no room (a cone that rolls on two spheres): then this one
+  // sticks, too, and the two share their forces.
+  gather(state, modes);
+  for (const std::size_t i : closed_) {
+    const double factor = spin_factor(system_.contacts()[i], tolerances.length);
+    if (modes[i] == ContactMode::slip && at_rest_[i] && slip_speed(rows_[i].velocity, factor) <= tolerances.slip)
+      modes[i] = ContactMode::stick;
+  }
   return true;
 }
 

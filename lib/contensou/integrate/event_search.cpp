@@ -37,6 +37,7 @@ EventSearch::EventSearch(ContactDynamics& dynamics, const MotionScales& scales,
     : dynamics_(dynamics), scales_(scales), modes_(modes), rows_(dynamics.velocities()) {
   const std::size_t count = dynamics.contacts();
   armed_.assign(count, true);
+  relaxed_.assign(count, false);
   for (auto* values : {&at_start_, &at_end_, &between_values_}) values->assign(2 * count, 0.0);
   for (auto* spins : {&spin_at_start_, &spin_at_end_, &rise_at_start_}) spins->assign(count, 0.0);
   for (Eigen::VectorXd* v : {&between_, &between_rate_}) v->resize(dynamics.size());
@@ -54,7 +55,7 @@ void EventSearch::monitor(double t, const Eigen::VectorXd& y, std::vector<double
     }
     const Eigen::Vector4d& lambda = dynamics_.force(i);
     values[2 * i] = lambda[0] / force + overshoot;
-    if (modes_[i] == ContactMode::stick && lambda[0] > 0) {
+    if (modes_[i] == ContactMode::stick && lambda[0] > 0 && !relaxed_[i]) {
       const double gauge = dynamics_.friction(i).gauge(lambda.tail<3>());
       values[2 * i + 1] = 1 - gauge / (dynamics_.system().contacts()[i].mu * lambda[0]) + overshoot;
     }
@@ -73,6 +74,13 @@ void EventSearch::begin(double t, const Eigen::VectorXd& y) {
   note_spins(spin_at_start_);
   for (std::size_t i = 0; i < modes_.size(); ++i) {
     if (modes_[i] == ContactMode::open) rise_at_start_[i] = normal_velocity(i, t, y);
+  }
+}
+
+void EventSearch::disarm_touching(double t, const Eigen::VectorXd& q) {
+  for (std::size_t i = 0; i < modes_.size(); ++i) {
+    if (modes_[i] == ContactMode::open && dynamics_.system().gap(i, t, q) <= armed_gap * scales_.length)
+      armed_[i] = false;
   }
 }
 
@@ -159,7 +167,7 @@ std::optional<EventSearch::Found> EventSearch::find(OdeStep& stepper, double t, 
     if (at_end_[m] >= 0) continue;
     const double left = m % 2 == 0 ? risen(stepper, t, h, m / 2, last) : 0;
     const double theta = left == 0 && at_start_[m] < 0 ? 0 : locate(stepper, t, h, m, left, last);
-    if (!first || theta < first->theta) first = Found{theta, m / 2, m};
+    if (!first || theta < first->theta) first = Found{theta, m / 2, m, m % 2 == 1};
   }
   return first;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -22,6 +23,7 @@ class EventSearch {
     double theta;         ///< in steps; 0: at the start
     std::size_t contact;  ///< whose monitor it is
     std::size_t monitor;
+    bool of_friction;     ///< what is left of friction; else gap or normal force
   };
 
   /// All arguments outlive the search; `modes` is looked at anew with each call.
@@ -31,6 +33,13 @@ class EventSearch {
   /// A phase begins at (t, y).
   void begin(double t, const Eigen::VectorXd& y);
   void disarm(std::size_t contact) { armed_[contact] = false; }
+  /// The same for all open contacts that touch.
+  void disarm_touching(double t, const Eigen::VectorXd& q);
+  /// No longer watches how much of friction a sticking contact has left: dependent constraints share their
+  /// forces in more than one way, and one of them holds. Until watch_all().
+  void relax(std::size_t contact) { relaxed_[contact] = true; }
+  void watch_all() { relaxed_.assign(relaxed_.size(), false); }
+  bool any_relaxed() const { return std::find(relaxed_.begin(), relaxed_.end(), true) != relaxed_.end(); }
   /// Whether a contact is open and has not risen yet.
   bool fresh(std::size_t contact) const { return modes_[contact] == ContactMode::open && !armed_[contact]; }
 
@@ -65,6 +74,7 @@ class EventSearch {
   const MotionScales& scales_;
   const std::vector<ContactMode>& modes_;
   std::vector<bool> armed_;
+  std::vector<bool> relaxed_;
   std::vector<double> at_start_, at_end_, between_values_;
   std::vector<double> spin_at_start_, spin_at_end_;  ///< 0 where there is none
   std::vector<double> rise_at_start_;                ///< γ_N of open contacts [m/s]

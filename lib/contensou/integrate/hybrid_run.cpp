@@ -109,7 +109,7 @@ RunReport HybridRun::run() {
 void HybridRun::order_events() {
   std::vector<double> latest(modes_.size(), -infinite);
   for (Event& event : report_.events)
-    event.t = latest[event.contact] = std::max(latest[event.contact], event.t);
+    event.t = latest[event.contact] = std::min(std::max(latest[event.contact], event.t), t_end_);
   std::stable_sort(report_.events.begin(), report_.events.end(),
                    [](const Event& a, const Event& b) { return a.t < b.t; });
 }
@@ -171,13 +171,12 @@ void HybridRun::read_rates() {
     const double factor = spin_factor_[i] * spin_factor_[i];
     const double square = gamma[1] * gamma[1] + gamma[2] * gamma[2] + factor * gamma[3] * gamma[3];
     const double fall = gamma[1] * change[1] + gamma[2] * change[2] + factor * gamma[3] * change[3];
-    if (!(fall < 0)) continue;
-    time_to_rest_ = std::min(time_to_rest_, -square / fall);
     slowest_slip_ = std::min(slowest_slip_, std::sqrt(square));
+    if (fall < 0) time_to_rest_ = std::min(time_to_rest_, -square / fall);
   }
 }
 
-/// Solves the instant, records what changed as of time t, and makes everything ready for the next step.
+/// Solves the instant and records what changed, as of time t.
 bool HybridRun::settle(const std::string& cause, double t) {
   // First, so that a contact that opens does so at g_N = 0, and that none is thought to move apart that has
   // only drifted.
@@ -197,7 +196,14 @@ bool HybridRun::settle(const std::string& cause, double t) {
     record_change(t, i, modes_before_[i], modes_[i], report_.events);
     if (is_open && (!was_open || instant_.struck(i))) events_.disarm(i);
   }
+  if (modes_ != modes_before_) events_.watch_all();
+  return go_on();
+}
+
+/// Makes everything ready for the next step, with the modes as they are.
+bool HybridRun::go_on() {
   modes_before_ = modes_;
+  events_.disarm_touching(state_.t, state_.q);
   dynamics_.set_modes(modes_);
   load();
   dynamics_.derivative(state_.t, y_, rate_);
@@ -245,7 +251,7 @@ bool HybridRun::advance() {
     return true;
   }
   double h = control_.propose(state_.t, t_end_, time_to_rest_);
-  if (!(h > smallest_step())) return fail(RunStatus::step_too_small, "a step of " + to_text(h) + " s");
+  if (!(h > smallest_step())) return stop_slip(h);
   OdeStep* method = &explicit_;
   if (control_.implicit(h, relaxation_)) {
     method = &implicit_;
@@ -262,6 +268,19 @@ bool HybridRun::advance() {
   if (const std::optional<EventSearch::Found> found = events_.find(stepper, state_.t, h))
     return take_event(stepper, h, *found);
   return take_step(stepper, h, error);
+}
+
+/// Steps are too short to be told from zero: slip comes to rest within the rounding of t, or nothing helps.
+bool HybridRun::stop_slip(double h) {
+  if (time_to_rest_ < most_stalled * smallest_step() && ++stalled_ <= most_stalled) {
+    const double slip = tolerances_.slip;
+    tolerances_.slip = std::max(slip, 2 * slowest_slip_);
+    const bool settled = settle("slip that came to rest", state_.t);
+    tolerances_.slip = slip;
+    return settled;
+  }
+  return fail(RunStatus::step_too_small,
+              "a step of " + to_text(h) + " s" + (dynamics_.paradox() ? " (Painleve's paradox)" : ""));
 }
 
 bool HybridRun::take_event(OdeStep& stepper, double h, const EventSearch::Found& found) {
@@ -285,8 +304,23 @@ bool HybridRun::take_event(OdeStep& stepper, double h, const EventSearch::Found&
     return fail(RunStatus::solver_failed, "contacts change their state without end");
   }
   ContactMode& mode = modes_[found.contact];
+  const ContactMode before = mode;
   if (mode == ContactMode::open) mode = ContactMode::slip;  // closed, which is what settle() asks
-  return settle("event", state_.t) && close_accumulated();
+  if (!settle("event", state_.t)) return false;
+  if (stalled_ > 0 && mode == before && before != ContactMode::open) return overrule(found);
+  return close_accumulated();
+}
+
+/// The contact laws see no event where the monitor does: with dependent constraints, forces can be shared in
+/// more than one way, and at the border between closed and open roundings decide.
+bool HybridRun::overrule(const EventSearch::Found& found) {
+  if (found.of_friction) {
+    events_.relax(found.contact);
+  } else {
+    record_change(state_.t, found.contact, modes_[found.contact], ContactMode::open, report_.events);
+    modes_[found.contact] = ContactMode::open;
+  }
+  return go_on();
 }
 
 bool HybridRun::take_step(OdeStep& stepper, double h, double error) {
@@ -305,6 +339,7 @@ bool HybridRun::take_step(OdeStep& stepper, double h, double error) {
   read_rates();
   events_.accept(state_.t, y_);
   if (slowest_slip_ <= tolerances_.slip) return settle("slip that came to rest", state_.t);
+  if (events_.any_relaxed()) return settle("forces of dependent constraints", state_.t);
   return true;
 }
 

@@ -35,7 +35,10 @@ class HybridRun {
   bool advance();
   bool take_step(OdeStep& stepper, double h, double error);
   bool take_event(OdeStep& stepper, double h, const EventSearch::Found& found);
+  bool overrule(const EventSearch::Found& found);
+  bool stop_slip(double h);
   bool settle(const std::string& cause, double t);
+  bool go_on();
   bool close_accumulated();
   void order_events();
   bool fail(RunStatus status, const std::string& message);

@@ -45,7 +45,9 @@ void require_positive(const char* what, double value) {
 void require_valid(const IntegratorOptions& options) {
   if (has_fixed_step(options.method) || options.method == Method::moreau_adaptive)
     require_positive("step", options.step);
-  if (!has_fixed_step(options.method)) require_positive("tolerance", options.tolerance);
+  // rk4: of its implicit steps' iterations.
+  if (!has_fixed_step(options.method) || options.method == Method::rk4)
+    require_positive("tolerance", options.tolerance);
   require_positive("solver_tolerance", options.solver_tolerance);
   if (options.r) require_positive("r", *options.r);
   if (!(options.output_interval > 0)) reject("output_interval", options.output_interval, "a number > 0");
@@ -111,6 +113,9 @@ RunReport integrate(const MechanicalSystem& system, State& state, double t_end,
   const Entry& chosen = entry(options.method);
   require_valid(options);
   require_valid(system, state, t_end);
+  constexpr double countable = 9007199254740992;  // 2^53
+  if (std::isfinite(options.output_interval) && (t_end - state.t) / options.output_interval > countable)
+    reject("output_interval", options.output_interval, "one that can be counted to t_end");
   system.restore(state.q);
   return chosen.run(system, state, t_end, options, observer);
 }

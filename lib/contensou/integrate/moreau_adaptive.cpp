@@ -73,7 +73,7 @@ class ErrorNorm {
   Eigen::VectorXd momentum_;
 };
 
-class StepControl {
+class StepSize {
  public:
   /// Factor on Δt after a step with this error was accepted.
   double accepted(double error, bool smooth) {
@@ -106,7 +106,7 @@ RunReport run_moreau_adaptive(const MechanicalSystem& system, State& state, doub
   MotionRecorder recorder(system, state, t_end, options, observer, now.modes, report);
   ErrorNorm norm(system, options.tolerance);
   norm.see(state.q, state.u);
-  StepControl control;
+  StepSize control;
   const double floor_in_steps = std::min(1.0, std::cbrt(options.tolerance));
   double longest = 0;
   double dt = options.step;

@@ -11,9 +11,11 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr int max_iterations = 10;
-/// Newton's iteration ends when what is left is this part of the error allowed: so small that it does not
-/// show in the estimate.
-constexpr double newton_tolerance = 1e-3;
+/// Newton's iteration ends when what is left is this part of the error allowed. Far below what the state asks
+/// for: times the stiff rate, what is left enters the stages' rates, and with them the quadratures.
+constexpr double newton_tolerance = 1e-6;
+/// But no further than roundings of the state let it: so many of them.
+constexpr double roundings = 4;
 
 /// Root mean square of x_i/scale_i over the components of x.
 double norm(const Eigen::VectorXd& x, const Eigen::VectorXd& scale) {
@@ -44,6 +46,13 @@ bool Radau5::solve_stages(OdeSystem& system, double t, double h, const Eigen::Ve
   const Eigen::Index size = start_.size();
   for (auto& z : z_) z.setZero();
   for (auto& w : w_) w.setZero();
+  double rounding = 0;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const double part = std::numeric_limits<double>::epsilon() * start_[i] / scale[i];
+    rounding += part * part;
+  }
+  rounding = roundings * std::sqrt(rounding / static_cast<double>(n));
+  const double enough = std::max(newton_tolerance, rounding);
   double previous = infinite;
   for (int iteration = 0; iteration < max_iterations; ++iteration) {
     for (std::size_t s = 0; s < 3; ++s) {
@@ -80,7 +89,7 @@ bool Radau5::solve_stages(OdeSystem& system, double t, double h, const Eigen::Ve
     const double rate = change / previous;  // of convergence; 0 at first
     if (iteration > 0 && rate >= 2) return false;
     const double left = iteration == 0 ? change : change * std::min(rate / std::max(1 - rate, 0.1), 10.0);
-    if (left <= newton_tolerance) {
+    if (left <= enough) {
       for (std::size_t s = 0; s < 3; ++s) {  // the quadratures
         const auto& r = radau5::a[s];
         for (Eigen::Index i = n; i < size; ++i)
