@@ -60,9 +60,8 @@ Evidence collect(const fs::path& data) {
       "command: make reproduce"};
   evidence.ledger =
       join(data, "ledger", {"where", "printed", "verdict", "corrected", "evidence", "consequence"});
-  evidence.ledger.comments = {
-      "Every equation and quantitative sentence of LG03, section by section",
-      "command: make reproduce"};
+  evidence.ledger.comments = {"Every equation and quantitative sentence of LG03, section by section",
+                              "command: make reproduce"};
   judge_claims(evidence);
   for (const fs::path& file : parts(data, "status")) {
     const Table table = contensou::read_table(file);

@@ -137,17 +137,17 @@ std::string integrators_section(const fs::path& report) {
 }
 
 std::string top_section(const fs::path& report) {
-  return animation(report) + shown(report, {{"When what happens", "", {"fig09_events", "fig12_events"}},
-                                            {"How fast it leaves the upright positions",
-                                             "stability_growth",
-                                             {"stability_growth", "fig11_simulated"}},
-                                            {"The story of Section 5.4, and what could make the paper’s times",
-                                             "story",
-                                             {"event_story", "story_hypotheses"}},
-                                            {"How fast it inverts",
-                                             "inversion_over_radius",
-                                             {"inversion_over_radius", "coulomb_limit"}},
-                                            {"Where it ends", "", {"end_states"}}});
+  return animation(report) +
+         shown(report,
+               {{"When what happens", "", {"fig09_events", "fig12_events"}},
+                {"How fast it leaves the upright positions",
+                 "stability_growth",
+                 {"stability_growth", "fig11_simulated"}},
+                {"The story of Section 5.4, and what could make the paper’s times",
+                 "story",
+                 {"event_story", "story_hypotheses"}},
+                {"How fast it inverts", "inversion_over_radius", {"inversion_over_radius", "coulomb_limit"}},
+                {"Where it ends", "", {"end_states"}}});
 }
 
 std::string cost_section(const fs::path& report) {

@@ -133,8 +133,7 @@ bool same_events(const Table& fresh, const std::string& run, const Table& refere
     if (!same)
       std::printf("%s: %s at %.9g, reference %s at %.9g\n", run.c_str(), ours[i].name.c_str(), ours[i].t,
                   theirs[i].name.c_str(), theirs[i].t);
-    verdict.add(same ? std::abs(ours[i].t - theirs[i].t) : NAN, allowed.at(error[i], spread[i]),
-                theirs[i].t);
+    verdict.add(same ? std::abs(ours[i].t - theirs[i].t) : NAN, allowed.at(error[i], spread[i]), theirs[i].t);
   }
   return verdict.say(run + " events");
 }

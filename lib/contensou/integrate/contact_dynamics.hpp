@@ -13,7 +13,8 @@ namespace contensou {
 const AnyFriction& effective_friction(const SystemContact& contact);
 
 /// The motion between events as an ordinary differential equation: which contacts are open, slip or stick is
-/// fixed, and so LG03 (4.1) with contact and friction on acceleration level is a linear system for the forces:
+/// fixed, and so LG03 (4.1) with contact and friction on acceleration level is a linear system for the
+/// forces:
 ///     closed:    γ̇_N = 0, λ_N of either sign (the event's business);
 ///     slipping:  λ_F = −μλ_N x̂(γ_F);      sticking:  γ̇_F = 0.
 /// Dependent constraints (two contacts that stick) share their forces as ConstraintSolver says.

@@ -214,7 +214,8 @@ bool ContactInstant::decide(State& state, std::vector<ContactMode>& modes,
   gather(state, modes);
   for (const std::size_t i : closed_) {
     const double factor = spin_factor(system_.contacts()[i], tolerances.length);
-    if (modes[i] == ContactMode::slip && at_rest_[i] && slip_speed(rows_[i].velocity, factor) <= tolerances.slip)
+    if (modes[i] == ContactMode::slip && at_rest_[i] &&
+        slip_speed(rows_[i].velocity, factor) <= tolerances.slip)
       modes[i] = ContactMode::stick;
   }
   return true;

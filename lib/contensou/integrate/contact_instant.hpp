@@ -39,8 +39,8 @@ class ContactInstant {
   /// Whether the last settle() had an impact in this contact.
   bool struck(std::size_t contact) const { return struck_[contact]; }
 
-  /// γ_N = 0 of all closed contacts by impulses along the normal, in contacts that slip with the friction that
-  /// goes with them: what impacts too small to be solved one by one do together.
+  /// γ_N = 0 of all closed contacts by impulses along the normal, in contacts that slip with the friction
+  /// that goes with them: what impacts too small to be solved one by one do together.
   void close(State& state, const std::vector<ContactMode>& modes, RunReport& report);
   /// γ_N = 0 of closed contacts, γ_F = 0 of those that stick, by the least change of velocity.
   void correct_velocities(State& state, const std::vector<ContactMode>& modes, RunReport& report);
@@ -59,7 +59,8 @@ class ContactInstant {
   void set_up(ContactProblem& problem) const;
   bool finite(const ContactProblem& problem, const State& state, RunReport& report) const;
   bool impact(State& state, const InstantTolerances& tolerances, RunReport& report);
-  void drop_departed(const State& state, std::vector<ContactMode>& modes, const InstantTolerances& tolerances);
+  void drop_departed(const State& state, std::vector<ContactMode>& modes,
+                     const InstantTolerances& tolerances);
   void stop_slow_slip(State& state, const InstantTolerances& tolerances, RunReport& report);
   bool decide(State& state, std::vector<ContactMode>& modes, const InstantTolerances& tolerances,
               RunReport& report);

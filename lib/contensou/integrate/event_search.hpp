@@ -15,15 +15,15 @@ namespace contensou {
 ///
 /// A contact that has just opened has a gap of zero, of either sign by rounding: it is watched for closing at
 /// zero only once it has risen by some ten thousand roundings (armed), and that far below zero before.
-/// Forces are watched for passing zero by 1e-10 of their scale, so that at the event it is plain on which side
-/// they are.
+/// Forces are watched for passing zero by 1e-10 of their scale, so that at the event it is plain on which
+/// side they are.
 class EventSearch {
  public:
   struct Found {
     double theta;         ///< in steps; 0: at the start
     std::size_t contact;  ///< whose monitor it is
     std::size_t monitor;
-    bool of_friction;     ///< what is left of friction; else gap or normal force
+    bool of_friction;  ///< what is left of friction; else gap or normal force
   };
 
   /// All arguments outlive the search; `modes` is looked at anew with each call.
@@ -43,20 +43,21 @@ class EventSearch {
   /// Whether a contact is open and has not risen yet.
   bool fresh(std::size_t contact) const { return modes_[contact] == ContactMode::open && !armed_[contact]; }
 
-  /// The first event in the step of length h from time t that `stepper` has just tried. Monitors are looked at
-  /// on its end and, where they come near to zero or a gap has a minimum, inside.
+  /// The first event in the step of length h from time t that `stepper` has just tried. Monitors are looked
+  /// at on its end and, where they come near to zero or a gap has a minimum, inside.
   std::optional<Found> find(OdeStep& stepper, double t, double h);
   /// The step had no event and was taken: its end is the next one's start.
   void accept(double t, const Eigen::VectorXd& y);
 
-  /// Tries the step again so that it ends at the event: of the length found, then corrected by the secant rule
-  /// until the monitor's own end is at zero. Returns the length; none where it does not get there, because the
-  /// step was too long for its continuous extension.
-  std::optional<double> land(OdeStep& stepper, double t, const Eigen::VectorXd& y, const Eigen::VectorXd& rate,
-                             double h, const Eigen::VectorXd& scale, const Found& found);
+  /// Tries the step again so that it ends at the event: of the length found, then corrected by the secant
+  /// rule until the monitor's own end is at zero. Returns the length; none where it does not get there,
+  /// because the step was too long for its continuous extension.
+  std::optional<double> land(OdeStep& stepper, double t, const Eigen::VectorXd& y,
+                             const Eigen::VectorXd& rate, double h, const Eigen::VectorXd& scale,
+                             const Found& found);
 
-  /// Where in the step just tried the spin γ_τ of a contact that slips has a zero; none where its signs at the
-  /// ends are the same. The motion is smooth there.
+  /// Where in the step just tried the spin γ_τ of a contact that slips has a zero; none where its signs at
+  /// the ends are the same. The motion is smooth there.
   std::optional<double> spin_reversal(OdeStep& stepper, double t, double h, std::size_t contact);
 
  private:

@@ -22,8 +22,8 @@ class ImpactSeries {
     times_[count_++] = t;
   }
   /// When the impacts accumulate, if they look like it: of three windows of two intervals the ratio of
-  /// lengths is less than one, and the same to 5 %. If not, but all seven impacts fell within `unresolved`: at
-  /// the last of them.
+  /// lengths is less than one, and the same to 5 %. If not, but all seven impacts fell within `unresolved`:
+  /// at the last of them.
   std::optional<double> limit(double unresolved) const {
     if (count_ < capacity) return std::nullopt;
     const std::optional<double> last =

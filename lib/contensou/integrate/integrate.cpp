@@ -87,23 +87,34 @@ bool has_fixed_step(Method method) { return entry(method).fixed_step; }
 
 const char* name(EventKind kind) {
   switch (kind) {
-    case EventKind::close: return "close";
-    case EventKind::open: return "open";
-    case EventKind::accumulation: return "accumulation";
-    case EventKind::stick: return "stick";
-    case EventKind::slip: return "slip";
-    case EventKind::spin: return "spin";
+    case EventKind::close:
+      return "close";
+    case EventKind::open:
+      return "open";
+    case EventKind::accumulation:
+      return "accumulation";
+    case EventKind::stick:
+      return "stick";
+    case EventKind::slip:
+      return "slip";
+    case EventKind::spin:
+      return "spin";
   }
   return "";
 }
 
 const char* name(RunStatus status) {
   switch (status) {
-    case RunStatus::finished: return "finished";
-    case RunStatus::step_limit: return "step_limit";
-    case RunStatus::solver_failed: return "solver_failed";
-    case RunStatus::step_too_small: return "step_too_small";
-    case RunStatus::not_finite: return "not_finite";
+    case RunStatus::finished:
+      return "finished";
+    case RunStatus::step_limit:
+      return "step_limit";
+    case RunStatus::solver_failed:
+      return "solver_failed";
+    case RunStatus::step_too_small:
+      return "step_too_small";
+    case RunStatus::not_finite:
+      return "not_finite";
   }
   return "";
 }

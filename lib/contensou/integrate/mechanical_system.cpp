@@ -10,8 +10,8 @@ namespace contensou {
 namespace {
 
 [[noreturn]] void reject(const SystemContact& contact, const char* what, double value, const char* expected) {
-  throw std::invalid_argument("contact " + contact.name + ": " + what + " " + to_text(value) +
-                              ", expected " + expected);
+  throw std::invalid_argument("contact " + contact.name + ": " + what + " " + to_text(value) + ", expected " +
+                              expected);
 }
 
 void require_valid(const SystemContact& contact) {

@@ -49,13 +49,15 @@ class MechanicalSystem {
 
   /// q̇ = F(q)u.
   virtual void coordinate_rates(ConstVector q, ConstVector u, VectorRef rates) const;
-  /// Back onto the manifold of coordinates after a step (unit quaternions, unit axes); nothing to do for most.
+  /// Back onto the manifold of coordinates after a step (unit quaternions, unit axes); nothing to do for
+  /// most.
   virtual void restore(VectorRef q) const;
 
-  /// A length of the size of the motion [m]: rounding of gaps and the accuracy of coordinates are judged by it.
+  /// A length of the size of the motion [m]: rounding of gaps and the accuracy of coordinates are judged by
+  /// it.
   virtual double length_scale() const { return 1; }
-  /// What errors of the coordinates are measured by, n: length_scale() for lengths, 1 for angles and axes. All
-  /// 1 where not overridden.
+  /// What errors of the coordinates are measured by, n: length_scale() for lengths, 1 for angles and axes.
+  /// All 1 where not overridden.
   virtual void coordinate_scales(VectorRef scales) const;
 
   /// M(q), f × f.

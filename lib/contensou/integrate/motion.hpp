@@ -86,10 +86,10 @@ const char* name(RunStatus status);
 /// What an integration did. The caller cannot ignore it.
 struct [[nodiscard]] RunReport {
   RunStatus status = RunStatus::finished;
-  std::string message;                ///< empty if all went well
-  std::int64_t steps = 0;             ///< accepted
-  std::int64_t rejected = 0;          ///< steps tried in vain
-  std::int64_t evaluations = 0;       ///< of accelerations or of the system's terms, whichever the method counts
+  std::string message;           ///< empty if all went well
+  std::int64_t steps = 0;        ///< accepted
+  std::int64_t rejected = 0;     ///< steps tried in vain
+  std::int64_t evaluations = 0;  ///< of accelerations or of the system's terms, whichever the method counts
   std::int64_t contact_problems = 0;  ///< inclusions solved
   std::int64_t contact_iterations = 0;
   double worst_residual = 0;  ///< of the contact problems solved
@@ -99,10 +99,10 @@ struct [[nodiscard]] RunReport {
 
 struct IntegratorOptions {
   Method method = Method::event_driven;
-  double step = 1e-4;              ///< Δt [s], fixed-step methods; initial guess for moreau_adaptive
-  double tolerance = 1e-9;         ///< adaptive methods: of the local error, see each method
-  double solver_tolerance = 1e-12; ///< of contact problems; printed schemes: `tol` of Tables 1, 2 [N s]
-  std::optional<double> r = {};         ///< printed schemes: the r of (4.16) [kg]; not given: see printed.hpp
+  double step = 1e-4;               ///< Δt [s], fixed-step methods; initial guess for moreau_adaptive
+  double tolerance = 1e-9;          ///< adaptive methods: of the local error, see each method
+  double solver_tolerance = 1e-12;  ///< of contact problems; printed schemes: `tol` of Tables 1, 2 [N s]
+  std::optional<double> r = {};     ///< printed schemes: the r of (4.16) [kg]; not given: see printed.hpp
   double output_interval = std::numeric_limits<double>::infinity();  ///< [s]; infinite: only start and end
   std::int64_t max_steps = std::numeric_limits<std::int64_t>::max();
 };

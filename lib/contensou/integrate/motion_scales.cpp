@@ -28,8 +28,8 @@ MotionScales motion_scales(const MechanicalSystem& system, const State& state) {
   // Of the coordinates that are lengths, the lightest moves fastest; a bound that needs no geometry.
   scales.speed = scales.length / scales.time;
   system.coordinate_rates(state.q, state.u, rates);
-  scales.speed = std::max(
-      scales.speed, scales.length * (rates.array() / scales.coordinate.array()).abs().maxCoeff());
+  scales.speed =
+      std::max(scales.speed, scales.length * (rates.array() / scales.coordinate.array()).abs().maxCoeff());
   return scales;
 }
 

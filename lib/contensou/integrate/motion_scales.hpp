@@ -7,12 +7,12 @@ namespace contensou {
 /// What is large and what is small in a motion: everything that integrators compare numbers with. From the
 /// energy at hand, so that it has the right units whatever the coordinates.
 struct MotionScales {
-  double length;              ///< [m], the system's
-  double time;                ///< [s]: in which free acceleration moves coordinates by their scales
-  double energy;              ///< [J]: kinetic energy, or what is gained in `time` from rest, the larger
-  double speed;               ///< [m/s]: length/time or the fastest that `energy` can move a contact
-  Eigen::VectorXd coordinate; ///< n
-  Eigen::VectorXd velocity;   ///< f: √(2 energy/M_ii)
+  double length;               ///< [m], the system's
+  double time;                 ///< [s]: in which free acceleration moves coordinates by their scales
+  double energy;               ///< [J]: kinetic energy, or what is gained in `time` from rest, the larger
+  double speed;                ///< [m/s]: length/time or the fastest that `energy` can move a contact
+  Eigen::VectorXd coordinate;  ///< n
+  Eigen::VectorXd velocity;    ///< f: √(2 energy/M_ii)
 };
 
 /// Throws nothing; a system at rest that nothing accelerates has time 1 s and energy 1 J.

@@ -22,8 +22,8 @@ class StepControl {
   StepChoice choice() const { return choice_; }
   void set_first(double h) { h_ = h; }
 
-  /// The step from t on: no further than `t_end`, the next grid point and 0.7 of `time_to_rest`, in which slip
-  /// comes to rest at its present rate. It may be too short to be told from zero.
+  /// The step from t on: no further than `t_end`, the next grid point and 0.7 of `time_to_rest`, in which
+  /// slip comes to rest at its present rate. It may be too short to be told from zero.
   double propose(double t, double t_end, double time_to_rest);
   /// Whether the step is one for the implicit method; `relaxation` is the fastest rate at which friction
   /// brings slip to its equilibrium [1/s]. Asked once for each step tried.

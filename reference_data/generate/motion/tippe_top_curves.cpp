@@ -248,7 +248,7 @@ bool check_law(Pressure pressure, const std::filesystem::path& table) {
   const SlipLaw<Extended> law(pressure);
   Extended worst = 0;
   int count = 0;
-  for (const auto& row : read(table)) {  // u phi xi eta
+  for (const auto& row : read(table)) {                          // u phi xi eta
     const Extended u = std::strtod(row.at(0).c_str(), nullptr);  // the double itself
     if (!(u <= 1e6L)) continue;
     const Slip<Extended> f = law.at(u, 1);
