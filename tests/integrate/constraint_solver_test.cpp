@@ -51,10 +51,10 @@ TEST_CASE("ConstraintSolver: forces of any size, alone and together", "[integrat
 
 TEST_CASE("ConstraintSolver: constraints that repeat each other share the force", "[integrate]") {
   ConstraintSolver solver;
-  // w and 10w: of the forces (f₁, f₂) with f₁ + 10 f₂ = 1 the least in units of their own size.
+  // w and 10w: of the forces (f₁, f₂) with f₁ + 10 f₂ = 1 the least is (1, 10)/101.
   const Eigen::VectorXd two = solve(solver, Eigen::MatrixXd{{1, 10}, {10, 100}}, Eigen::VectorXd{{1, 10}});
-  CHECK(two[0] == Approx(0.5).epsilon(1e-14));
-  CHECK(two[1] == Approx(0.05).epsilon(1e-14));
+  CHECK(two[0] == Approx(1 / 101.0).epsilon(1e-14));
+  CHECK(two[1] == Approx(10 / 101.0).epsilon(1e-14));
   // Three directions in a plane, symmetric: w₃ = (w₁ + w₂)/√2. For b = WᵀW f of f = (1, 1, 0) the least norm
   // is that without the part along (1, 1, −√2).
   const double r = std::sqrt(0.5);

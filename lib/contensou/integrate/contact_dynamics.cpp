@@ -150,12 +150,17 @@ double ContactDynamics::relaxation_rate() const {
     if (modes_[i] != ContactMode::slip || dimension == 0) continue;
     if (rows_[i].velocity.segment(1, dimension).isZero(0)) continue;  // at rest: no rate at all
     const Eigen::Matrix3d law = friction_[i].derivative(rows_[i].velocity.tail<3>());
-    double trace = 0;
+    // ‖W_FF ∂x̂/∂γ_F‖_∞, no less than the largest eigenvalue.
     for (int k = 0; k < dimension; ++k) {
-      for (int l = 0; l < dimension; ++l)
-        trace += rows_[i].directions.col(k + 1).dot(rows_[i].response.col(l + 1)) * law(l, k);
+      double sum = 0;
+      for (int l = 0; l < dimension; ++l) {
+        double entry = 0;
+        for (int j = 0; j < dimension; ++j)
+          entry += rows_[i].directions.col(k + 1).dot(rows_[i].response.col(j + 1)) * law(j, l);
+        sum += std::abs(entry);
+      }
+      fastest = std::max(fastest, mu_[i] * std::abs(force_[i][0]) * sum);
     }
-    fastest = std::max(fastest, mu_[i] * std::abs(force_[i][0]) * trace);
   }
   return fastest;
 }

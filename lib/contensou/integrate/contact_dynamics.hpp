@@ -50,7 +50,7 @@ class ContactDynamics final : public OdeSystem {
   /// γ̇ [m/s²] of a closed contact.
   Eigen::Vector4d contact_acceleration(std::size_t contact, const Eigen::VectorXd& dy) const;
   /// The fastest rate at which friction of one contact brings its slip to equilibrium [1/s], an upper bound:
-  /// the trace of μλ_N W_FF ∂x̂/∂γ_F, the largest of all contacts. 0 without slip.
+  /// the largest sum of a row of μλ_N |W_FF ∂x̂/∂γ_F|, over all contacts. 0 without slip.
   double relaxation_rate() const;
   /// Whether friction is about to drive a slipping contact into the floor, however it is pressed: its
   /// w_Nᵀ M⁻¹ (w_N − μ W_F x̂) is not positive, or next to nothing (Painlevé's paradox).

@@ -256,6 +256,9 @@ bool HybridRun::advance() {
   if (control_.implicit(h, relaxation_)) {
     method = &implicit_;
     h = std::min(h, longest_implicit * scales_.time);
+  } else {
+    // Where even that is next to nothing, slip is about to be settled.
+    h = std::min(h, std::max(control_.longest_explicit(relaxation_), most_stalled * smallest_step()));
   }
   OdeStep& stepper = *method;
   const double error = stepper.attempt(dynamics_, state_.t, y_, rate_, h, scale_);

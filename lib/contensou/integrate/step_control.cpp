@@ -10,6 +10,9 @@ namespace {
 /// h·rate at which the explicit methods become unstable is 2.8 (order 4) to 6 (order 8).
 constexpr double stable = 2.0;
 constexpr double limited_by_stability = 3.5;
+/// Adaptive explicit steps are no longer than this: at the limit of stability the error control would let
+/// them amplify roundings up to the tolerance, and slip would dance about its equilibrium.
+constexpr double longest_stable = 4;
 constexpr int first_patience = 8;
 constexpr int longest_patience = 512;
 /// An implicit step costs some four explicit ones.
@@ -59,6 +62,11 @@ bool StepControl::implicit(double h, double relaxation) {
     patience_ = std::min(2 * patience_, longest_patience);
   }
   return implicit_;
+}
+
+double StepControl::longest_explicit(double relaxation) const {
+  return choice_ == StepChoice::adaptive ? longest_stable / relaxation
+                                         : std::numeric_limits<double>::infinity();
 }
 
 bool StepControl::acceptable(double error) const {

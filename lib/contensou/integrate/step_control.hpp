@@ -29,6 +29,9 @@ class StepControl {
   /// brings slip to its equilibrium [1/s]. Asked once for each step tried.
   bool implicit(double h, double relaxation);
 
+  /// The longest step that the explicit method may take; infinite for fixed steps.
+  double longest_explicit(double relaxation) const;
+
   bool acceptable(double error) const;
   /// `error` is that of the attempt, infinite where there was none; `order` its power of h.
   void reject(double h, double error, int order);
