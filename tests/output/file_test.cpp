@@ -2,38 +2,12 @@
 
 #include <catch2/catch.hpp>
 #include <fstream>
-#include <random>
-#include <sstream>
+
+#include "test_folder.hpp"
 
 using namespace contensou;
+using namespace test_folder;
 namespace fs = std::filesystem;
-
-namespace {
-
-/// A folder of its own for each test, gone afterwards.
-struct Folder {
-  Folder() : path(fs::temp_directory_path() / ("contensou-file-" + std::to_string(std::random_device{}()))) {
-    fs::create_directories(path);
-  }
-  ~Folder() {
-    std::error_code ignored;
-    fs::remove_all(path, ignored);
-  }
-  fs::path path;
-};
-
-std::string contents(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
-std::ptrdiff_t entries(const fs::path& folder) {
-  return std::distance(fs::directory_iterator(folder), fs::directory_iterator());
-}
-
-}  // namespace
 
 TEST_CASE("Files that belong together are written together", "[output]") {
   const Folder folder;

@@ -4,41 +4,14 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
 #include <fstream>
 #include <limits>
-#include <random>
-#include <sstream>
+
+#include "test_folder.hpp"
 
 using namespace contensou;
+using namespace test_folder;
 namespace fs = std::filesystem;
-
-namespace {
-
-/// A folder of its own for each test, gone afterwards.
-struct Folder {
-  Folder() : path(fs::temp_directory_path() / ("contensou-table-" + std::to_string(std::random_device{}()))) {
-    fs::create_directories(path);
-  }
-  ~Folder() {
-    std::error_code ignored;
-    fs::remove_all(path, ignored);
-  }
-  fs::path path;
-};
-
-std::string contents(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
-std::size_t entries(const fs::path& folder) {
-  return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
-}
-
-}  // namespace
 
 TEST_CASE("Numbers read back to the same double", "[output][table]") {
   const Folder folder;
