@@ -241,3 +241,26 @@ TEST_CASE("Event to event: nothing is allocated in a step", "[integrate][hybrid]
     CHECK(allocations(creeping, Slab::at(0, {1, 0, 0, 0}), method, 0.1) == 0);
   }
 }
+
+TEST_CASE("Event to event: no landing is missed within a step, however often a contact bounces in it",
+          "[integrate][hybrid]") {
+  // Bouncing while it spins so fast that a contact may rise, fall through the floor and rise again in a step.
+  auto contacts = tippe_top_contacts(AnyFriction(FrictionBall(SmoothPlate(HertzLaw{}))), 0.14242514908435666,
+                                     2.9769556514528905e-07, 0.64789561449839561);
+  contacts[1].mu = 0.32688772837804353;
+  contacts[1].radius = 1.1741464127562441e-07;
+  contacts[1].restitution = 0.60660797267168399;
+  const TippeTopAxis top({}, contacts);
+  State state = top.start(1.7843414774917974, 348.68012105297692);
+  state.q[2] += 0.019831104604302267;
+  IntegratorOptions options;
+  options.tolerance = 1e-10;
+  options.output_interval = 1e-3;
+  double lowest = 0;
+  const RunReport report = integrate(top, state, 1.9, options, [&](const Sample& sample) {
+    for (std::size_t i = 0; i < 2; ++i) lowest = std::min(lowest, top.gap(i, sample.t, sample.q));
+  });
+  CHECK(report.status == RunStatus::finished);
+  // The extension between the ends of steps is off by some tolerances.
+  CHECK(lowest >= -10 * options.tolerance * top.length_scale());
+}

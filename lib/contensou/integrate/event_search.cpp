@@ -16,6 +16,8 @@ constexpr double overshoot = 1e-10;  ///< of λ_N and of the friction limit
 /// Gaps that small, or that fall to half their size in a step, may have been through zero and back.
 constexpr double near_gap = 1e-3;
 constexpr int looks_inside = 3;
+/// A contact that opened at the step's start is looked at so often: by interpolation alone.
+constexpr int looks_at_fresh = 7;
 
 bool quiet(const std::vector<double>& monitors) {
   return std::all_of(monitors.begin(), monitors.end(), [](double x) { return x >= 0; });
@@ -143,6 +145,16 @@ std::optional<double> EventSearch::event_inside(OdeStep& stepper, double t, doub
   for (std::size_t i = 0; i < modes_.size(); ++i) {
     const std::optional<double> theta = lowest(i, stepper, t, h);
     if (theta && !evaluate_between(stepper, t, h, *theta)) return theta;
+  }
+  for (std::size_t i = 0; i < modes_.size(); ++i) {
+    if (!fresh(i)) continue;
+    // It may have gone up, down through zero and up again.
+    for (int look = 1; look <= looks_at_fresh; ++look) {
+      const double theta = static_cast<double>(look) / (looks_at_fresh + 1);
+      stepper.interpolate(dynamics_, theta, between_);
+      const double gap = dynamics_.system().gap(i, t + theta * h, between_.head(dynamics_.coordinates()));
+      if (gap < -armed_gap * scales_.length && !evaluate_between(stepper, t, h, theta)) return theta;
+    }
   }
   if (!comes_near()) return std::nullopt;
   for (int look = 1; look <= looks_inside; ++look) {
