@@ -36,7 +36,7 @@ struct Step {
     y.head(system.coordinates()) = start.q;
     y.segment(system.coordinates(), system.velocities()) = start.u;
     dynamics.set_modes(modes);
-    if (fresh) search.disarm(0);
+    if (fresh) search.disarm_touching(start.t, start.q);
     dynamics.derivative(start.t, y, rate);
     search.begin(start.t, y);
     stepper->attempt(dynamics, start.t, y, rate, h, scale);

@@ -32,8 +32,7 @@ class EventSearch {
   // `dynamics` was evaluated last of all at the (t, y) meant, here and in find().
   /// A phase begins at (t, y).
   void begin(double t, const Eigen::VectorXd& y);
-  void disarm(std::size_t contact) { armed_[contact] = false; }
-  /// The same for all open contacts that touch.
+  /// Open contacts that touch have yet to rise.
   void disarm_touching(double t, const Eigen::VectorXd& q);
   /// No longer watches how much of friction a sticking contact has left: dependent constraints share their
   /// forces in more than one way, and one of them holds. Until watch_all().

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "contensou/integrate/schemes.hpp"
 #include "contensou/text/number.hpp"
 
 namespace contensou {
@@ -14,7 +15,6 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 // Relative to the scales of the motion (MotionScales).
-constexpr double closed_gap = 1e-12;      ///< gaps of this size are closed at the start
 constexpr double approach_speed = 1e-11;  ///< beside the rounding of γ_N, 1e-16, and below all that matters
 constexpr double slip_at_rest = 1e-11;    ///< likewise, and ...
 /// ... times the tolerance: slip so slow that steps through zero pass the error control, which then no longer
@@ -29,6 +29,7 @@ constexpr double unresolved_impacts = 24;
 /// A contact that leaves an impact for a bounce shorter than this part of that stays closed.
 constexpr double no_bounce = 0.1;
 constexpr int most_stalled = 200;
+constexpr double next_to_nothing = 200;  ///< smallest steps: so near to rest, slip is settled, not followed
 /// Implicit steps are no longer than this: they would damp motions too small for the error control to see,
 /// even those that are about to grow (a top that sleeps upright and becomes unstable).
 constexpr double longest_implicit = 0.1;
@@ -125,7 +126,7 @@ double HybridRun::smallest_step() const { return 4 * epsilon * std::max(std::abs
 /// Which contacts are closed, and a first step. How it starts is no event, unless by an impact.
 bool HybridRun::start() {
   for (std::size_t i = 0; i < modes_.size(); ++i) {
-    if (system_.gap(i, state_.t, state_.q) <= closed_gap * scales_.length) modes_[i] = ContactMode::slip;
+    if (system_.gap(i, state_.t, state_.q) <= closed_at_start * scales_.length) modes_[i] = ContactMode::slip;
   }
   if (!settle("start", state_.t)) return false;
   std::erase_if(report_.events, [this](const Event& event) { return !instant_.struck(event.contact); });
@@ -194,7 +195,6 @@ bool HybridRun::settle(const std::string& cause, double t) {
       report_.events.push_back({t, EventKind::open, i});
     }
     record_change(t, i, modes_before_[i], modes_[i], report_.events);
-    if (is_open && (!was_open || instant_.struck(i))) events_.disarm(i);
   }
   if (modes_ != modes_before_) events_.watch_all();
   return go_on();
@@ -258,7 +258,7 @@ bool HybridRun::advance() {
     h = std::min(h, longest_implicit * scales_.time);
   } else {
     // Where even that is next to nothing, slip is about to be settled.
-    h = std::min(h, std::max(control_.longest_explicit(relaxation_), most_stalled * smallest_step()));
+    h = std::min(h, std::max(control_.longest_explicit(relaxation_), next_to_nothing * smallest_step()));
   }
   OdeStep& stepper = *method;
   const double error = stepper.attempt(dynamics_, state_.t, y_, rate_, h, scale_);
@@ -275,7 +275,7 @@ bool HybridRun::advance() {
 
 /// Steps are too short to be told from zero: slip comes to rest within the rounding of t, or nothing helps.
 bool HybridRun::stop_slip(double h) {
-  if (time_to_rest_ < most_stalled * smallest_step() && ++stalled_ <= most_stalled) {
+  if (time_to_rest_ < next_to_nothing * smallest_step() && ++stalled_ <= most_stalled) {
     const double slip = tolerances_.slip;
     tolerances_.slip = std::max(slip, 2 * slowest_slip_);
     const bool settled = settle("slip that came to rest", state_.t);

@@ -80,8 +80,8 @@ class HybridRun {
   Eigen::VectorXd shown_q_, shown_u_;
   std::int64_t evaluations_ = 0;  ///< after the attempt at hand
   double relaxation_ = 0;         ///< at y_, as are the next two
-  double time_to_rest_ = 0;       ///< of slip that slows down [s]
-  double slowest_slip_ = 0;       ///< of it [m/s]
+  double time_to_rest_ = 0;       ///< of slip that slows down, the shortest [s]
+  double slowest_slip_ = 0;       ///< of all slip [m/s]
 };
 
 }  // namespace contensou

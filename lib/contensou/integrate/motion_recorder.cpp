@@ -4,14 +4,14 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "contensou/integrate/schemes.hpp"
 #include "contensou/text/number.hpp"
 
 namespace contensou {
 namespace {
 
 constexpr double rounding_of_count = 1e-12;
-constexpr double most_steps = 0x1p53;    // beyond, t + Δt is t
-constexpr double closed_within = 1e-12;  // of length_scale: what `integrate` takes for a gap of zero
+constexpr double most_steps = 0x1p53;  // beyond, t + Δt is t
 
 }  // namespace
 
@@ -27,7 +27,7 @@ std::vector<ContactMode> modes_at_start(const MechanicalSystem& system, const St
   std::vector<ContactMode> modes(system.contacts().size(), ContactMode::open);
   ContactRows contact(system.velocities());
   for (std::size_t i = 0; i < modes.size(); ++i) {
-    if (system.gap(i, state.t, state.q) > closed_within * system.length_scale()) continue;
+    if (system.gap(i, state.t, state.q) > closed_at_start * system.length_scale()) continue;
     system.contact_rows(i, state.t, state.q, state.u, contact);
     // What rounding makes of γ_N = Wᵀu + w̃.
     const double rounding = 1e-14 * (contact.directions.col(0).cwiseAbs().dot(state.u.cwiseAbs()) +

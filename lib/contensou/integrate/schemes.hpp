@@ -6,6 +6,9 @@
 /// called with arguments that `integrate` has checked, with coordinates restored, and move `state` on.
 namespace contensou {
 
+/// Gaps of this size, relative to length_scale(), are closed at the start.
+inline constexpr double closed_at_start = 1e-12;
+
 using Scheme = RunReport(const MechanicalSystem& system, State& state, double t_end,
                          const IntegratorOptions& options, const Observer& observer);
 

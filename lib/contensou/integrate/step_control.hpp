@@ -16,10 +16,10 @@ enum class StepChoice {
 /// it, else an implicit one.
 class StepControl {
  public:
-  /// `first`: adaptive, the first step to try.
   StepControl(StepChoice choice, const IntegratorOptions& options, double t_start);
 
   StepChoice choice() const { return choice_; }
+  /// Adaptive: the first step to try.
   void set_first(double h) { h_ = h; }
 
   /// The step from t on: no further than `t_end`, the next grid point and 0.7 of `time_to_rest`, in which
