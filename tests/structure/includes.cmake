@@ -1,6 +1,6 @@
 # Reads every #include of the library and fails where one climbs.
 #
-# Calls run one way: scene -> system -> integrate -> contact -> ball -> law, and out to output. A file may include its
+# Calls run one way: scene -> granular -> system -> integrate -> contact -> ball -> law, and out to output. A file may include its
 # own layer and those below it; output stands apart: it may be included by scene, system and integrate, which report,
 # but not by contact, ball and law, which only compute, and it includes only text, the one folder that everything may use. Outside its own headers the
 # library knows the standard library, Eigen and Boost. GSL, being GPL, is for the programs around it.
@@ -15,7 +15,8 @@ set(ball_may ball ${law_may})
 set(contact_may contact ${ball_may})
 set(integrate_may integrate output ${contact_may})
 set(system_may system ${integrate_may})
-set(scene_may scene ${system_may})
+set(granular_may granular ${system_may})
+set(scene_may scene ${granular_may})
 set(output_may output text)
 
 # Headers of the standard library carry neither dot nor slash; these are the others that a file may include.

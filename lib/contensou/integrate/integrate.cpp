@@ -16,7 +16,12 @@ struct Entry {
   Scheme* run;
 };
 
-constexpr std::array<Entry, 7> entries{{
+/// It needs to know bodies, not rows: run_nscd() is called by who has them.
+RunReport refuse_nscd(const MechanicalSystem&, State&, double, const IntegratorOptions&, const Observer&) {
+  throw std::invalid_argument("integrator: nscd is for scenes of bodies, expected another method");
+}
+
+constexpr std::array<Entry, 8> entries{{
     {Method::moreau_printed, "moreau_printed", true, run_moreau_printed},
     {Method::rk4_printed, "rk4_printed", true, run_rk4_printed},
     {Method::moreau, "moreau", true, run_moreau},
@@ -24,6 +29,7 @@ constexpr std::array<Entry, 7> entries{{
     {Method::moreau_adaptive, "moreau_adaptive", false, run_moreau_adaptive},
     {Method::rk4, "rk4", true, run_rk4},
     {Method::event_driven, "event_driven", false, run_event_driven},
+    {Method::nscd, "nscd", true, refuse_nscd},
 }};
 
 const Entry& entry(Method method) {

@@ -20,11 +20,21 @@ void require_valid(const SystemContact& contact) {
     reject(contact, "mu", contact.mu, "a number >= 0");
   if (n > 3 && !(contact.radius > 0 && std::isfinite(contact.radius)))
     reject(contact, "radius", contact.radius, "a number > 0");
+  if (n > 3 && contact.load_radius) {
+    const LoadRadius& r = *contact.load_radius;
+    if (!(r.relative_radius > 0 && std::isfinite(r.relative_radius)))
+      reject(contact, "relative radius", r.relative_radius, "a number > 0");
+    if (!(r.modulus > 0 && std::isfinite(r.modulus))) reject(contact, "modulus", r.modulus, "a number > 0");
+  }
   if (!(contact.restitution >= 0 && contact.restitution <= 1))
     reject(contact, "restitution", contact.restitution, "a number from 0 to 1");
 }
 
 }  // namespace
+
+double LoadRadius::at(double lambda_n) const {
+  return lambda_n > 0 ? std::cbrt(0.75 * relative_radius * lambda_n / modulus) : 0;
+}
 
 MechanicalSystem::MechanicalSystem(std::vector<SystemContact> contacts) : contacts_(std::move(contacts)) {
   for (const SystemContact& contact : contacts_) require_valid(contact);
@@ -37,5 +47,13 @@ void MechanicalSystem::coordinate_rates(ConstVector /*q*/, ConstVector u, Vector
 void MechanicalSystem::restore(VectorRef /*q*/) const {}
 
 void MechanicalSystem::coordinate_scales(VectorRef scales) const { scales.setOnes(); }
+
+const std::vector<std::string>& MechanicalSystem::works() const {
+  static const std::vector<std::string> none;
+  return none;
+}
+
+void MechanicalSystem::powers(double /*t*/, ConstVector /*q*/, ConstVector /*u*/, VectorRef /*power*/) const {
+}
 
 }  // namespace contensou

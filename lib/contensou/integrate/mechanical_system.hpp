@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,15 @@ using Vector = Eigen::VectorXd;
 using ConstVector = const Eigen::Ref<const Eigen::VectorXd>&;
 using VectorRef = Eigen::Ref<Eigen::VectorXd>;
 
+/// A contact radius that follows the load by Hertz, LG03 (3.2): R(λ_N) = (3 ρ* λ_N / (4 E*))^{1/3}.
+struct LoadRadius {
+  double relative_radius = 0;  ///< ρ* [m] > 0
+  double modulus = 0;          ///< E* [Pa] > 0
+
+  /// R [m] under λ_N [N]; zero where λ_N <= 0.
+  double at(double lambda_n) const;
+};
+
 /// What a contact of a system is made of. The rows it has are those of its friction: 1, 3 or 4.
 struct SystemContact {
   std::string name;
@@ -20,6 +30,9 @@ struct SystemContact {
   double mu = 0;           ///< friction coefficient, >= 0; unused where frictionless
   double radius = 0;       ///< contact radius R [m], > 0 with four rows; unused otherwise
   double restitution = 0;  ///< ε_N, 0 to 1
+  /// Given: the contact radius follows the load, and `radius` is only what rows and scales are written in.
+  /// Four rows, methods that say so.
+  std::optional<LoadRadius> load_radius = {};
 };
 
 /// The rows of one contact at one state, in the order (N, T1, T2, τ); columns beyond the contact's own are
@@ -76,6 +89,12 @@ class MechanicalSystem {
 
   virtual double kinetic_energy(ConstVector q, ConstVector u) const = 0;  ///< [J]
   virtual double potential_energy(ConstVector q) const = 0;               ///< [J]
+
+  /// Accounts of the energy that goes in and out beside potential energy and contacts, by name: what a load
+  /// puts in, what the air takes. Empty, as it is where not overridden: powers() is never called.
+  virtual const std::vector<std::string>& works() const;
+  /// The power into the motion by each account [W].
+  virtual void powers(double t, ConstVector q, ConstVector u, VectorRef power) const;
 
  protected:
   /// Throws std::invalid_argument with one line that names the contact and what is wrong with it.

@@ -22,6 +22,7 @@ enum class Method {
   moreau_adaptive,  ///< `moreau` with error estimate and automatic step size
   rk4,              ///< fixed step, fourth order between located transitions (hybrid_run.hpp)
   event_driven,     ///< adaptive, high order, located transitions: the reference (hybrid_run.hpp)
+  nscd,  ///< nonsmooth contact dynamics: many bodies, contacts found as they go (granular/nscd.hpp)
 };
 
 /// "rk4" and so on; throws std::invalid_argument with the list of names for another one.
@@ -71,7 +72,16 @@ struct Dissipation {
   double sliding = 0;   ///< −∫λ_T·γ_T dt between impacts
   double drilling = 0;  ///< −∫λ_τ γ_τ dt between impacts
   double impact = 0;    ///< −½Λ·(γ⁺ + γ⁻), all rows of impulses at velocity jumps
+  /// −∫λ·w̃ dt and −Λ·w̃: what the given motion w̃ of a driven surface put in, of all the above.
+  double driven = 0;
   double total() const { return sliding + drilling + impact; }
+};
+
+/// What the option `fidelity` made a method leave out.
+struct LeftOut {
+  std::int64_t as_coulomb = 0;  ///< contacts with drilling friction solved without, each time they were
+  double friction = 0;          ///< the largest error that made in friction, as a part of μΛ_N: <= fidelity
+  double impulse = 0;           ///< the sum of the bounds of these errors [N s]
 };
 
 enum class RunStatus {
@@ -95,6 +105,8 @@ struct [[nodiscard]] RunReport {
   double worst_residual = 0;  ///< of the contact problems solved
   std::vector<Event> events;
   std::vector<Dissipation> dissipated;  ///< by contact
+  std::vector<double> work;             ///< by the system's works() [J]
+  LeftOut left_out;
 };
 
 struct IntegratorOptions {
@@ -105,6 +117,9 @@ struct IntegratorOptions {
   std::optional<double> r = {};     ///< printed schemes: the r of (4.16) [kg]; not given: see printed.hpp
   double output_interval = std::numeric_limits<double>::infinity();  ///< [s]; infinite: only start and end
   std::int64_t max_steps = std::numeric_limits<std::int64_t>::max();
+  /// Time-stepping: a contact whose drilling friction is this small a part of μΛ_N, and changes its sliding
+  /// friction by no more, may be solved as a point contact. Not given: none is.
+  std::optional<double> fidelity = {};
 };
 
 using Observer = std::function<void(const Sample&)>;
