@@ -123,9 +123,10 @@ void write(const fs::path& folder, const Command& command, const contensou::Scen
   const std::string made_by = "# contensou simulate " + contensou::printable(command.scene) + ", method " +
                               name(scene.integrator.method) +
                               ", version " CONTENSOU_VERSION "; see summary.json\n";
-  const std::string trajectory =
-      made_by + "# units: s, rad, m, J, rad/s; vectors in the floor's axes, z up\n" + outcome.trajectory;
-  const std::string events = made_by + "# units: s\n" + outcome.events;
+  const std::string trajectory = made_by +
+                                 "# units: s, rad, m, J, rad/s; vectors in the floor's axes, z up\n" +
+                                 trajectory_table(outcome);
+  const std::string events = made_by + "# units: s\n" + events_table(outcome);
   const std::string json = summary(command, scene, outcome);
   const SignalsHeld held;
   contensou::write_files({{folder / "trajectory.tsv", trajectory},

@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "contensou/scene/effects.hpp"
+
 namespace cli {
 namespace {
 
@@ -27,7 +29,11 @@ Json contact_settings(const ContactScene& contact) {
   if (contact.law == ContactLaw::contensou) {
     json["pressure"] = contact.pressure;
     json["model"] = contact.model;
-    json["radius"] = contact.radius;
+    if (contact.modulus) {
+      json["modulus"] = *contact.modulus;
+    } else {
+      json["radius"] = contact.radius;
+    }
   }
   if (contact.law != ContactLaw::frictionless) json["mu"] = contact.mu;
   json["restitution"] = contact.restitution;
@@ -35,13 +41,22 @@ Json contact_settings(const ContactScene& contact) {
   return json;
 }
 
-Json dissipated(const Scene& scene, const RunReport& report) {
+Json dissipated(const Outcome& outcome) {
   Json json = Json::object();
-  for (std::size_t i = 0; i < report.dissipated.size(); ++i) {
-    const Dissipation& by = report.dissipated[i];
-    json[scene.top.contacts[i].name] = {
+  for (std::size_t i = 0; i < outcome.report.dissipated.size(); ++i) {
+    const Dissipation& by = outcome.report.dissipated[i];
+    Json& contact = json[outcome.contacts[i]] = {
         {"sliding", by.sliding}, {"drilling", by.drilling}, {"impact", by.impact}};
+    if (by.driven != 0) contact["driven"] = by.driven;
   }
+  return json;
+}
+
+/// What loads put in and the air took, by name.
+Json work(const Outcome& outcome) {
+  Json json = Json::object();
+  for (std::size_t i = 0; i < outcome.report.work.size(); ++i)
+    json[outcome.works[i]] = outcome.report.work[i];
   return json;
 }
 
@@ -49,38 +64,40 @@ Json dissipated(const Scene& scene, const RunReport& report) {
 
 std::string summary(const Command& command, const Scene& scene, const Outcome& outcome) {
   const RunReport& report = outcome.report;
-  Json contacts;
-  for (const ContactScene& contact : scene.top.contacts) contacts[contact.name] = contact_settings(contact);
-  const Json json{
-      {"scene", scene.name},
-      {"file", command.scene},
-      {"set", command.set},
-      {"unset", command.unset},
-      {"version", CONTENSOU_VERSION},
-      {"method", name(scene.integrator.method)},
-      {"settings", settings(scene.integrator)},
-      {"formulation", scene.top.formulation == TippeTopScene::Formulation::euler ? "euler" : "axis"},
-      {"effects", effects(scene)},
-      {"contacts", contacts},
-      {"status", name(report.status)},
-      {"message", report.message},
-      {"t", outcome.t},
-      {"duration", scene.duration},
-      {"wall_seconds", outcome.wall_seconds},
-      {"steps", report.steps},
-      {"rejected", report.rejected},
-      {"evaluations", report.evaluations},
-      {"contact_problems", report.contact_problems},
-      {"iterations", report.contact_iterations},
-      {"worst_residual", report.worst_residual},
-      {"events", report.events.size()},
-      {"energy_initial", outcome.energy.initial},
-      {"energy_final", outcome.energy.final},
-      {"dissipated", dissipated(scene, report)},
-      {"energy_balance",
-       {{"dissipated", outcome.energy.dissipated},
-        {"imbalance", outcome.energy.imbalance()},
-        {"relative", outcome.energy.relative()}}}};
+  Json contacts = Json::object();
+  for (const ContactScene* contact : scene.contacts()) contacts[contact->name] = contact_settings(*contact);
+  Json json{{"scene", scene.name},
+            {"file", command.scene},
+            {"set", command.set},
+            {"unset", command.unset},
+            {"version", CONTENSOU_VERSION},
+            {"method", name(scene.integrator.method)},
+            {"settings", settings(scene.integrator)},
+            {"effects", effects(scene)},
+            {"contacts", contacts},
+            {"status", name(report.status)},
+            {"message", report.message},
+            {"t", outcome.t},
+            {"duration", scene.duration},
+            {"wall_seconds", outcome.wall_seconds},
+            {"steps", report.steps},
+            {"rejected", report.rejected},
+            {"evaluations", report.evaluations},
+            {"contact_problems", report.contact_problems},
+            {"iterations", report.contact_iterations},
+            {"worst_residual", report.worst_residual},
+            {"events", report.events.size()},
+            {"energy_initial", outcome.energy.initial},
+            {"energy_final", outcome.energy.final},
+            {"dissipated", dissipated(outcome)},
+            {"work", work(outcome)},
+            {"energy_balance",
+             {{"supplied", outcome.energy.supplied},
+              {"dissipated", outcome.energy.dissipated},
+              {"imbalance", outcome.energy.imbalance()},
+              {"relative", outcome.energy.relative()}}}};
+  if (const auto* top = std::get_if<TippeTopScene>(&scene.system))
+    json["formulation"] = top->formulation == TippeTopScene::Formulation::euler ? "euler" : "axis";
   constexpr int indent = 2;
   return json.dump(indent, ' ', false, Json::error_handler_t::replace) + '\n';
 }

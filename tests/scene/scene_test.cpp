@@ -10,6 +10,8 @@ using namespace contensou;
 
 namespace {
 
+const TippeTopScene& top_of(const Scene& scene) { return std::get<TippeTopScene>(scene.system); }
+
 const std::filesystem::path shipped = CONTENSOU_SCENES "/tippe_top.toml";
 
 SceneDocument document() { return read_document(shipped); }
@@ -35,7 +37,7 @@ TEST_CASE("Scene: the shipped tippe-top is that of LG03 5.4", "[scene]") {
   const Scene scene = read_scene(document());
   CHECK(scene.name == "tippe-top");
   CHECK(scene.duration == 8);
-  const TippeTopScene& top = scene.top;
+  const TippeTopScene& top = top_of(scene);
   CHECK(top.formulation == TippeTopScene::Formulation::axis);
   CHECK(top.data.m == 6e-3);
   CHECK(top.data.i1 == 8e-7);
@@ -65,10 +67,10 @@ TEST_CASE("Scene: what stands in when a key is not given", "[scene]") {
   const Scene scene = changed({}, {"scene.name", "scene.formulation", "contact.body.pressure",
                                    "contact.tip.restitution", "integrator.step", "output.interval"});
   CHECK(scene.name == "tippe_top");
-  CHECK(scene.top.formulation == TippeTopScene::Formulation::axis);
-  CHECK(scene.top.contacts[0].pressure == "hertz");
-  CHECK(scene.top.contacts[0].model == "exact");
-  CHECK(scene.top.contacts[1].restitution == 0);
+  CHECK(top_of(scene).formulation == TippeTopScene::Formulation::axis);
+  CHECK(top_of(scene).contacts[0].pressure == "hertz");
+  CHECK(top_of(scene).contacts[0].model == "exact");
+  CHECK(top_of(scene).contacts[1].restitution == 0);
   CHECK(std::isinf(scene.integrator.output_interval));
 }
 
@@ -102,14 +104,14 @@ TEST_CASE("Scene: every key arrives", "[scene]") {
                               {"contact.body.mu", "contact.body.radius", "contact.body.pressure"});
   CHECK(scene.duration == 2);
   CHECK(scene.name == "x");
-  CHECK(scene.top.formulation == TippeTopScene::Formulation::euler);
-  const TippeTopData& top = scene.top.data;
+  CHECK(top_of(scene).formulation == TippeTopScene::Formulation::euler);
+  const TippeTopData& top = top_of(scene).data;
   CHECK((top.m == 1 && top.i1 == 2 && top.i3 == 3 && top.g == 1.5));
   CHECK((top.a1 == -4 && top.a2 == 5 && top.r1 == 6 && top.r2 == 7));
-  CHECK(scene.top.theta == 1.25);
-  CHECK(scene.top.psi_dot == -8);
-  CHECK(scene.top.z_s == 9);
-  const auto& [body, tip] = scene.top.contacts;
+  CHECK(top_of(scene).theta == 1.25);
+  CHECK(top_of(scene).psi_dot == -8);
+  CHECK(top_of(scene).z_s == 9);
+  const auto& [body, tip] = top_of(scene).contacts;
   CHECK(body.law == ContactLaw::frictionless);
   CHECK(body.rows() == 1);
   CHECK(body.restitution == 0.25);
@@ -135,8 +137,8 @@ TEST_CASE("Scene: step and tolerance may both stand, the method's own is needed"
 
 TEST_CASE("Scene: a contact radius of zero is the limit, a Coulomb point contact", "[scene]") {
   const Scene scene = changed({"contact.body.radius=0"});
-  CHECK(scene.top.contacts[0].rows() == 3);
-  CHECK(scene.top.contacts[1].rows() == 4);
+  CHECK(top_of(scene).contacts[0].rows() == 3);
+  CHECK(top_of(scene).contacts[1].rows() == 4);
 }
 
 TEST_CASE("Scene: a start within the floor is refused, rounding is not", "[scene]") {
@@ -181,7 +183,8 @@ TEST_CASE("Scene: whatever a file holds, it is a scene or one line", "[scene]") 
     try {
       const Scene scene = read_scene(parse_document(text, "f.toml"));
       ++scenes;
-      if (!(std::isfinite(scene.top.data.m) && scene.top.data.m > 0 && scene.top.theta >= 0)) FAIL(text);
+      if (!(std::isfinite(top_of(scene).data.m) && top_of(scene).data.m > 0 && top_of(scene).theta >= 0))
+        FAIL(text);
     } catch (const SceneError& error) {
       ++refused;
       const std::string message = error.what();

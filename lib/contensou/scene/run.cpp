@@ -21,58 +21,63 @@ const char* mode_name(ContactMode mode) {
   return "";
 }
 
-double energy(const Simulation& simulation) {
-  const State& state = simulation.state;
-  return simulation.system->kinetic_energy(state.q, state.u) + simulation.system->potential_energy(state.q);
-}
-
-std::string trajectory_head(const Simulation& simulation) {
-  std::string head = "t";
-  for (const std::string& column : simulation.columns) head += '\t' + column;
-  for (const SystemContact& contact : simulation.system->contacts()) head += "\tmode_" + contact.name;
-  return head + '\n';
-}
-
-std::string events_table(const Simulation& simulation, const std::vector<Event>& events) {
-  std::string table = "t\tevent\tcontact\n";
-  for (const Event& event : events) {
-    table += to_text(event.t) + '\t' + name(event.kind) + '\t' +
-             simulation.system->contacts()[event.contact].name + '\n';
-  }
-  return table;
-}
-
 }  // namespace
 
 double EnergyLedger::relative() const {
   if (imbalance() == 0) return 0;
-  return imbalance() / std::max({std::abs(initial), std::abs(final), std::abs(dissipated)});
+  return imbalance() /
+         std::max({std::abs(initial), std::abs(supplied), std::abs(final), std::abs(dissipated)});
 }
 
 Outcome run(Simulation& simulation, const std::function<void(double t)>& shown) {
   Outcome outcome;
-  outcome.energy.initial = energy(simulation);
-  outcome.trajectory = trajectory_head(simulation);
-  std::vector<double> row;
+  outcome.contacts = simulation.contacts;
+  outcome.works = simulation.works;
+  outcome.columns = {"t"};
+  outcome.columns.insert(outcome.columns.end(), simulation.columns.begin(), simulation.columns.end());
+  outcome.energy.initial = simulation.energy(simulation.state);
   const auto record = [&](const Sample& sample) {
-    row.clear();
-    simulation.describe(sample, row);
-    outcome.trajectory += to_text(sample.t);
-    for (const double value : row) outcome.trajectory += '\t' + to_text(value);
-    for (const ContactMode mode : sample.modes) (outcome.trajectory += '\t') += mode_name(mode);
-    outcome.trajectory += '\n';
+    outcome.rows.push_back(sample.t);
+    simulation.describe(sample, outcome.rows);
+    outcome.modes.insert(outcome.modes.end(), sample.modes.begin(), sample.modes.end());
     if (shown) shown(sample.t);
   };
   const auto begin = std::chrono::steady_clock::now();
-  outcome.report =
-      integrate(*simulation.system, simulation.state, simulation.t_end, simulation.options, record);
+  outcome.report = simulation.advance(simulation.state, simulation.t_end, simulation.options, record);
   outcome.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 
   outcome.t = simulation.state.t;
-  outcome.energy.final = energy(simulation);
-  for (const Dissipation& contact : outcome.report.dissipated) outcome.energy.dissipated += contact.total();
-  outcome.events = events_table(simulation, outcome.report.events);
+  outcome.energy.final = simulation.energy(simulation.state);
+  for (const Dissipation& contact : outcome.report.dissipated) {
+    outcome.energy.dissipated += contact.total();
+    outcome.energy.supplied += contact.driven;
+  }
+  for (const double work : outcome.report.work) outcome.energy.supplied += work;
   return outcome;
+}
+
+std::string trajectory_table(const Outcome& outcome) {
+  const std::size_t rows = outcome.row_count();
+  const std::size_t width = outcome.columns.size();
+  const std::size_t modes = rows == 0 ? 0 : outcome.modes.size() / rows;
+  std::string table;
+  for (const std::string& column : outcome.columns) table += (table.empty() ? "" : "\t") + column;
+  for (std::size_t i = 0; i < modes; ++i) table += "\tmode_" + outcome.contacts[i];
+  table += '\n';
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (std::size_t i = 0; i < width; ++i)
+      (table += i == 0 ? "" : "\t") += to_text(outcome.rows[row * width + i]);
+    for (std::size_t i = 0; i < modes; ++i) (table += '\t') += mode_name(outcome.modes[row * modes + i]);
+    table += '\n';
+  }
+  return table;
+}
+
+std::string events_table(const Outcome& outcome) {
+  std::string table = "t\tevent\tcontact\n";
+  for (const Event& event : outcome.report.events)
+    table += to_text(event.t) + '\t' + name(event.kind) + '\t' + outcome.contacts[event.contact] + '\n';
+  return table;
 }
 
 }  // namespace contensou

@@ -134,33 +134,27 @@ void require_above_floor(const SceneReader& read, const TippeTopScene& scene) {
 
 }  // namespace
 
-const char* name(ContactLaw law) {
-  switch (law) {
-    case ContactLaw::frictionless:
-      return "frictionless";
-    case ContactLaw::coulomb:
-      return "coulomb";
-    case ContactLaw::contensou:
-      return "contensou";
+std::vector<const ContactScene*> Scene::contacts() const {
+  std::vector<const ContactScene*> all;
+  if (const auto* top = std::get_if<TippeTopScene>(&system)) {
+    for (const ContactScene& contact : top->contacts) all.push_back(&contact);
+  } else {
+    for (const ContactScene& contact : std::get<BodiesScene>(system).contacts) all.push_back(&contact);
   }
-  return "";
-}
-
-int ContactScene::rows() const {
-  if (law == ContactLaw::frictionless) return 1;
-  return law == ContactLaw::contensou && radius > 0 ? 4 : 3;
+  return all;
 }
 
 Scene read_scene(const SceneDocument& document) {
   SceneReader read(document);
-  Scene scene{.file = document.file, .name = "", .integrator = {}, .top = {}};
+  Scene scene;
+  scene.file = document.file;
   read.choice("scene.system", {"tippe_top"});
   scene.name = read.optional_text("scene.name", "a string")
                    .value_or(std::filesystem::path(document.file).stem().string());
   scene.duration = read.number("scene.duration", positive);
   const double gravity = read.number("scene.gravity", not_negative);
 
-  TippeTopScene& top = scene.top;
+  auto& top = scene.system.emplace<TippeTopScene>();
   const bool euler = read.optional_choice("scene.formulation", {"axis", "euler"}) == "euler";
   top.formulation = euler ? Formulation::euler : Formulation::axis;
   top.data = read_top(read, gravity);

@@ -3,29 +3,17 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <variant>
+#include <vector>
 
 #include "contensou/integrate/motion.hpp"
+#include "contensou/scene/contact_scene.hpp"
 #include "contensou/scene/document.hpp"
+#include "contensou/scene/measure.hpp"
+#include "contensou/system/body_data.hpp"
 #include "contensou/system/tippe_top_model.hpp"
 
 namespace contensou {
-
-enum class ContactLaw { frictionless, coulomb, contensou };
-const char* name(ContactLaw law);
-
-/// [contact.NAME]: a contact as a scene describes it. What its law does not use is not set.
-struct ContactScene {
-  std::string name;
-  ContactLaw law = ContactLaw::frictionless;
-  std::string pressure;    ///< contensou: as pressure_exponent() takes it
-  std::string model;       ///< contensou: "exact" | "ellipsoid"
-  double mu = 0;           ///< coulomb, contensou: >= 0
-  double radius = 0;       ///< contensou [m]; 0 stands for the limit R → 0, a Coulomb point contact
-  double restitution = 0;  ///< 0 to 1
-
-  /// 1, 3 or 4: what the contact costs, and whether there is a drilling torque (4).
-  int rows() const;
-};
 
 /// [top] and [initial] of a scene with system = "tippe_top", LG03 Section 5.
 struct TippeTopScene {
@@ -38,13 +26,28 @@ struct TippeTopScene {
   std::array<ContactScene, 2> contacts;  ///< body, tip
 };
 
+/// A scene with system = "bodies": rigid bodies among fixed planes, docs/scenes.md.
+struct BodiesScene {
+  BodiesData data;                     ///< all but `rules`, which are made from `contacts`
+  std::vector<ContactScene> contacts;  ///< the rules, in the order of their indices
+};
+
 /// A scene: validated, plain data, nothing of it computed yet.
 struct Scene {
   std::string file;
   std::string name;
   double duration = 0;  ///< [s] > 0
   IntegratorOptions integrator;
-  TippeTopScene top;
+  int threads = 1;  ///< nscd: how many it may use; the result does not depend on it
+  /// `fidelity`: what may be left out for being smaller than this part of the scene's size; not given:
+  /// nothing.
+  std::optional<double> fidelity;
+  std::variant<TippeTopScene, BodiesScene> system;
+  std::vector<std::string> columns;    ///< [output] columns: of the trajectory; empty: a choice by the system
+  std::vector<MeasureScene> measures;  ///< [outcome.NAME]: what the scene is about, in numbers
+
+  /// The contacts' laws, in the order of contact indices in events and dissipation.
+  std::vector<const ContactScene*> contacts() const;
 };
 
 /// The most rows a trajectory may have, and the most steps a fixed-step method may be asked for: beyond them
@@ -52,25 +55,11 @@ struct Scene {
 inline constexpr double most_rows = 1e6;
 inline constexpr double most_steps = 1e12;
 
-/// What the keys of a scene are; README and scenes/tippe_top.toml show them at work.
-///   [scene]         system = "tippe_top"; duration [s] > 0; gravity [m/s²] >= 0; name (else that of the
-///   file);
-///                   formulation = "axis" (if not given) | "euler"
-///   [top]           mass [kg], i1, i3 [kg m²] > 0, i3 <= 2 i1; a1, a2 [m]; r1, r2 [m] > 0; all mandatory
-///   [initial]       theta [rad]; psi_dot [rad/s]; z_s [m] or "contact"; all mandatory
-///   [contact.body] [contact.tip]
-///                   law = "frictionless" | "coulomb" | "contensou", mandatory; mu >= 0 mandatory for the
-///                   last two; radius [m] >= 0 mandatory for the last, 0 being the limit of a Coulomb point
-///                   contact; pressure ("hertz" if not given) and model ("exact" if not given, "ellipsoid")
-///                   of the last; restitution 0 to 1 (0 if not given: impacts do not rebound)
-///   [integrator]    method, mandatory; step [s] for those that have one; tolerance for the others; both may
-///                   stand. solver_tolerance; r [kg] of the printed methods
-///   [output]        interval [s]; not given: only start and end are written
-/// Throws SceneError, one line, for what is missing, unknown, not used or makes no sense, a start within the
-/// floor included.
+/// Reads a scene; what its keys are says docs/scenes.md. Throws SceneError, one line, for what is missing,
+/// unknown, not used or makes no sense, a start with bodies in each other or in a plane included.
 Scene read_scene(const SceneDocument& document);
 
-/// The keys above, a table of them a paragraph, for --help.
+/// The keys, a table of them a paragraph, for --help.
 std::string scene_help();
 
 }  // namespace contensou
