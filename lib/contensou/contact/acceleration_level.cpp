@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 
 #include "contensou/contact/blocks.hpp"
 
@@ -41,7 +42,11 @@ AccelerationLevel::AccelerationLevel(const ContactProblem& full, const Eigen::Ve
   for_each_group(full, [&]<class Domain>(const TypedGroup<Domain>& group) {
     constexpr int dimension = Domain::dimension;
     const AnyFriction* const friction = full.groups[group_index++].friction;
-    if constexpr (dimension == 0) {
+    if constexpr (std::is_same_v<Domain, FrictionCylinder>) {
+      throw std::invalid_argument(
+          "acceleration level: sliding and drilling friction apart may stick one without the other, expected "
+          "friction that does not");
+    } else if constexpr (dimension == 0) {
       problem_.groups.push_back({friction, std::vector<double>(group.mu, group.mu + group.count)});
       for (Eigen::Index i = 0; i < group.count; ++i) columns.push_back({group.row(i), {1, 0, 0, 0}, 1});
     } else {

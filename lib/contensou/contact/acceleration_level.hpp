@@ -20,8 +20,8 @@ class AccelerationLevel {
  public:
   /// `full`: groups, W = W_allᵀM⁻¹W_all [1/kg] and b = W_allᵀM⁻¹h + Ẇ_allᵀu + ẇ [m/s²] with all rows of all
   /// closed contacts. `velocity`: γ [m/s], of which only the friction rows count: a contact sticks if they
-  /// are exactly zero. Throws std::invalid_argument as require_valid does, and for a velocity of the wrong
-  /// size or not finite.
+  /// are exactly zero. Throws std::invalid_argument as require_valid does, for a velocity of the wrong
+  /// size or not finite, and for a FrictionCylinder, of which one part may stick while the other slides.
   AccelerationLevel(const ContactProblem& full, const Eigen::VectorXd& velocity);
 
   /// What is left to be solved, with accelerations for velocities and forces for impulses: sticking contacts

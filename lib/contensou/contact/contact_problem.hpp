@@ -6,17 +6,18 @@
 #include <vector>
 
 #include "contensou/ball/friction_ball.hpp"
+#include "contensou/ball/friction_cylinder.hpp"
 #include "contensou/ball/friction_disk.hpp"
 #include "contensou/ball/smooth_plate.hpp"
 
 namespace contensou {
 
 /// What friction a contact has, and with it its number of rows, 1 + dimension: 1 (frictionless), 3 (point
-/// contact with Coulomb friction), 4 (Coulomb–Contensou). Visited once for a group of contacts, never for
-/// each.
+/// contact with Coulomb friction), 4 (Coulomb–Contensou, or sliding and drilling friction apart). Visited
+/// once for a group of contacts, never for each.
 using AnyFriction = std::variant<NoFriction, FrictionDisk, FrictionBall<SmoothPlate<UniformLaw>>,
                                  FrictionBall<SmoothPlate<HertzLaw>>, FrictionBall<SmoothPlate<CompiledLaw>>,
-                                 FrictionBall<SmoothPlate<EllipsoidLaw>>>;
+                                 FrictionBall<SmoothPlate<EllipsoidLaw>>, FrictionCylinder>;
 
 /// The number of rows of a contact with this friction: 1, 3 or 4.
 int rows(const AnyFriction& friction);

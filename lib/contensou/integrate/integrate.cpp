@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "contensou/integrate/method_limits.hpp"
 #include "contensou/integrate/schemes.hpp"
 #include "contensou/text/number.hpp"
 
@@ -130,6 +131,7 @@ RunReport integrate(const MechanicalSystem& system, State& state, double t_end,
   const Entry& chosen = entry(options.method);
   require_valid(options);
   require_valid(system, state, t_end);
+  require_possible(system, options);
   constexpr double countable = 9007199254740992;  // 2^53
   if (std::isfinite(options.output_interval) && (t_end - state.t) / options.output_interval > countable)
     reject("output_interval", options.output_interval, "one that can be counted to t_end");

@@ -1,6 +1,8 @@
 #include "contensou/integrate/slip_friction.hpp"
 
 #include <cmath>
+#include <stdexcept>
+#include <type_traits>
 
 namespace contensou {
 namespace {
@@ -73,11 +75,17 @@ struct Kind<FrictionBall<Plate>> {
 SlipFriction::SlipFriction(const AnyFriction& friction) : friction_(&friction) {
   std::visit(
       [this]<class Domain>(const Domain&) {
-        dimension_ = Domain::dimension;
-        border_ = Kind<Domain>::border;
-        derivative_ = Kind<Domain>::derivative;
-        gauge_ = Kind<Domain>::gauge;
-        normal_ = Kind<Domain>::normal;
+        if constexpr (std::is_same_v<Domain, FrictionCylinder>) {
+          throw std::invalid_argument(
+              "slip friction: sliding and drilling friction apart have a border with edges, expected friction "
+              "with a smooth one");
+        } else {
+          dimension_ = Domain::dimension;
+          border_ = Kind<Domain>::border;
+          derivative_ = Kind<Domain>::derivative;
+          gauge_ = Kind<Domain>::gauge;
+          normal_ = Kind<Domain>::normal;
+        }
       },
       friction);
 }

@@ -11,6 +11,8 @@ namespace contensou {
 /// The friction given outlives it.
 class SlipFriction {
  public:
+  /// Throws std::invalid_argument for a FrictionCylinder: where only one of γ_T, γ_τ is zero, its friction is
+  /// not given by γ_F.
   explicit SlipFriction(const AnyFriction& friction);
 
   /// Friction components: 0, 2 or 3.
