@@ -17,6 +17,7 @@ const AnyFriction frictionless{NoFriction{}};
 const AnyFriction point{FrictionDisk{}};
 const AnyFriction uniform{FrictionBall(SmoothPlate(UniformLaw{}))};
 const AnyFriction hertz{FrictionBall(SmoothPlate(HertzLaw{}))};
+const AnyFriction apart{FrictionCylinder(0.5)};
 
 double number(std::mt19937_64& g) { return static_cast<double>(g() >> 11) * 0x1p-52 - 1; }
 
@@ -64,7 +65,7 @@ TEST_CASE("Allocation: none in a solve, whatever the method", "[contact]") {
   REQUIRE(allocation_counter::count() > 0);  // the counter counts
 
   std::mt19937_64 g(2003);
-  for (const AnyFriction* kind : {&frictionless, &point, &uniform, &hertz}) {
+  for (const AnyFriction* kind : {&frictionless, &point, &uniform, &hertz, &apart}) {
     std::vector<ContactProblem> one;
     for (int k = 0; k < 20; ++k) one.push_back(random_problem(g, {kind}, 1 + k % 6));
     for (const SolverMethod method : methods) {
@@ -74,7 +75,7 @@ TEST_CASE("Allocation: none in a solve, whatever the method", "[contact]") {
   }
   std::vector<ContactProblem> several;
   for (int k = 0; k < 20; ++k) {
-    several.push_back(random_problem(g, {&frictionless, &point, &uniform, &hertz, &hertz}, 3 + k));
+    several.push_back(random_problem(g, {&frictionless, &point, &uniform, &hertz, &apart, &hertz}, 3 + k));
   }
   for (const SolverMethod method : methods) {
     CAPTURE(static_cast<int>(method));

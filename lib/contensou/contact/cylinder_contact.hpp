@@ -17,7 +17,8 @@ namespace contensou::detail {
 ///     Λ_N. W is not symmetric then.
 /// Each leaves one of Coulomb's contacts, OneContact<FrictionDisk>; the one that holds is the one after which
 /// |Λ_τ| is not too large, or s γ_τ >= 0. For W symmetric and positive definite there is one; what cannot be
-/// had so (a singular W, W_NN <= 0 or b_N >= 0 of the three rows) is left to Newton's method.
+/// had so (a singular W, W_NN <= 0 or b_N >= 0 of the three rows, more than one of them possible) is left to
+/// Newton's method and to bisection.
 template <>
 class OneContact<FrictionCylinder> {
  public:
@@ -49,7 +50,8 @@ class OneContact<FrictionCylinder> {
         best.iterations = next.iterations;
       }
     }
-    return polished(best);
+    best = polished(best);
+    return best.residual <= rounding ? best : bracketed(best, guess);
   }
 
   /// The same with the last digits by Newton's method.
@@ -92,6 +94,40 @@ class OneContact<FrictionCylinder> {
     return solution(sliding, -sign * limit(sliding.impulse[0]));
   }
 
+  /// How far Λ_τ = t is above what the law of spin makes of it, on Coulomb's contact under that t.
+  double too_much(double t, const Vector& guess, Sliding& sliding) const {
+    const SlidingVector b = b_.head<3>() + t * w_.topRightCorner<3, 1>();
+    sliding = b[0] < 0 ? solve_sliding(w_.topLeftCorner<3, 3>(), b, guess)
+                       : Sliding{SlidingVector::Zero(), ContactState::open, 0, 0};
+    const double spin = w_.bottomLeftCorner<1, 3>().dot(sliding.impulse) + w_(3, 3) * t + b_[3];
+    const double most = limit(sliding.impulse[0]);
+    return t - std::clamp(t - spin / w_(3, 3), -most, most);
+  }
+
+  /// By bisection for Λ_τ: for W positive definite t γ_τ > 0 for all large |t|, so there is a root between,
+  /// but where what slides jumps. Slow and safe.
+  Solution bracketed(Solution best, const Vector& guess) const {
+    constexpr int most_growth = 40;
+    constexpr int bisections = 40;
+    Sliding sliding;
+    double most = (std::abs(b_[3]) + speed_) / w_(3, 3);
+    const auto outside = [&](double t) { return t * too_much(t, guess, sliding) > 0; };
+    for (int i = 0; i < most_growth && !(outside(-most) && outside(most)); ++i) most *= 4;
+    double low = -most;
+    double high = most;
+    if (!std::isfinite(high)) return best;
+    for (int i = 0; i < bisections; ++i) {
+      const double t = low + (high - low) / 2;
+      (too_much(t, guess, sliding) > 0 ? high : low) = t;
+      best.iterations += sliding.iterations;
+    }
+    Solution found = solution(sliding, low + (high - low) / 2);
+    found.iterations = best.iterations;
+    found = polished(found);
+    best.iterations = found.iterations;
+    return found.residual < best.residual ? found : best;
+  }
+
   Sliding solve_sliding(const SlidingMatrix& w, const SlidingVector& b, const Vector& guess) const {
     if (!(b[0] < 0 && w(0, 0) > 0 && w.allFinite() && b.allFinite())) {
       return {SlidingVector::Zero(), ContactState::unsolved, 0, 0};
@@ -108,8 +144,8 @@ class OneContact<FrictionCylinder> {
     Eigen::Vector2d slip = gamma.segment<2>(1);
     if (sliding.state == ContactState::slip) {
       const Eigen::Vector2d direction = -sliding.impulse.tail<2>().stableNormalized();
-      // Without friction there is no law of the direction.
-      slip = direction.isZero(0) ? direction : slip - std::max(0.0, slip.dot(direction)) * direction;
+      slip -= std::max(0.0, slip.dot(direction)) * direction;
+      if (friction_size(mu_, z[0]) == 0) slip.setZero();  // a law of nothing
     }
     const double most = limit(z[0]);
     double spin = gamma[3];
@@ -117,7 +153,7 @@ class OneContact<FrictionCylinder> {
     if (drilling == most && spin < 0) spin = 0;
     const bool sticks = sliding.state == ContactState::stick && std::abs(drilling) < most;
     return {z, sticks ? ContactState::stick : ContactState::slip, sliding.iterations,
-            std::hypot(gamma[0], slip.norm(), spin)};
+            std::max(sliding.residual, std::hypot(gamma[0], slip.norm(), spin))};
   }
 
   const FrictionCylinder& domain_;

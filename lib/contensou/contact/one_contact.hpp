@@ -32,6 +32,9 @@ struct OneContactSolution {
 /// solve one in the other. For W symmetric and positive definite both have a solution, whatever μ; W may also
 /// be singular, have entries of any size or be not symmetric, but then there need not be one.
 ///
+/// Where sliding and drilling friction are apart (FrictionCylinder), spin is held or has one sign or the
+/// other, and each leaves a contact of Coulomb's, at most three of them (cylinder_contact.hpp).
+///
 /// `guess`: Λ to start from; zero for none. The solution, where unique, does not depend on it. Where the
 /// equations above leave a residual above 1e-13 (singular W, a fold in σ, W not positive), Newton's method on
 /// the natural map (4.17) follows, then proximal point steps (a compliance of 4e-6 W_FF added and made good

@@ -77,7 +77,8 @@ SlipFriction::SlipFriction(const AnyFriction& friction) : friction_(&friction) {
       [this]<class Domain>(const Domain&) {
         if constexpr (std::is_same_v<Domain, FrictionCylinder>) {
           throw std::invalid_argument(
-              "slip friction: sliding and drilling friction apart have a border with edges, expected friction "
+              "slip friction: sliding and drilling friction apart have a border with edges, expected "
+              "friction "
               "with a smooth one");
         } else {
           dimension_ = Domain::dimension;
