@@ -1,6 +1,5 @@
 #include "contensou/scene/contact_scene.hpp"
 
-#include <stdexcept>
 #include <utility>
 
 #include "contensou/law/catalogue.hpp"
@@ -65,8 +64,7 @@ AnyFriction make_friction(const ContactScene& contact) {
       break;
   }
   if (contact.model == "ellipsoid") return ball(EllipsoidLaw(extent(contact)));
-  if (contact.model == "uncoupled")
-    throw std::invalid_argument("contact " + contact.name + ": model uncoupled is not there yet");
+  if (contact.model == "uncoupled") return FrictionCylinder(extent(contact).eta);
   return exact_ball(contact);
 }
 
