@@ -26,6 +26,20 @@ constexpr Method others[] = {Method::moreau_printed, Method::rk4_printed, Method
 
 }  // namespace
 
+TEST_CASE("Method limits: a radius that follows the load", "[integrate][method_limits]") {
+  SystemContact floor{"floor", FrictionBall(SmoothPlate(HertzLaw{})), 0.3, 0.5, 0};
+  floor.load_radius = LoadRadius{0.1, 1e6};
+  for (const Method method : in_time) CHECK(refusal(Slab(floor), {.method = method}).empty());
+  for (const Method method : others) {
+    CHECK(refusal(Slab(floor), {.method = method}) ==
+          std::string("contact floor: a radius that follows the load with method ") + name(method) +
+              ", expected moreau, moreau_implicit or moreau_adaptive");
+  }
+  // A point contact has no radius.
+  floor.friction = FrictionDisk{};
+  CHECK(refusal(Slab(floor), {.method = Method::event_driven}).empty());
+}
+
 TEST_CASE("Method limits: uncoupled friction has no smooth border", "[integrate][method_limits]") {
   const Slab slab({"floor", FrictionCylinder(0.6), 0.3, 0.5, 0});
   for (const Method method : in_time) CHECK(refusal(slab, {.method = method}).empty());

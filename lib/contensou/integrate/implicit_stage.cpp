@@ -1,6 +1,7 @@
 #include "contensou/integrate/implicit_stage.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace contensou {
@@ -52,6 +53,7 @@ ImplicitStage::Outcome ImplicitStage::solve(const Base& base, Eigen::VectorXd& q
     ++report_.evaluations;
     u = base.u + base.w * free_;
     if (!chosen.empty()) {
+      follow_loads(base.w);
       const Outcome outcome = solve_inclusion(base.t, q, u);
       if (outcome == Outcome::not_finite && round > 0) return Outcome::no_convergence;
       if (outcome != Outcome::solved) return outcome;
@@ -62,6 +64,7 @@ ImplicitStage::Outcome ImplicitStage::solve(const Base& base, Eigen::VectorXd& q
     // The first round has the system's numbers; later ones may have run away.
     if (!q.allFinite() || !u.allFinite()) return round > 0 ? Outcome::no_convergence : Outcome::not_finite;
     u_change_ = u - u_before_;
+    radii_change_ = effect_of_radii(base.w);
     if (!settled(round)) continue;
     contacts_.velocity(u, gamma_);
     if (!chosen.empty()) report_.worst_residual = std::max(report_.worst_residual, residual_);
@@ -75,12 +78,55 @@ ImplicitStage::Outcome ImplicitStage::solve(const Base& base, Eigen::VectorXd& q
 
 ImplicitStage::Outcome ImplicitStage::impact(double t, const Eigen::VectorXd& q, Eigen::VectorXd& u) {
   impulse_.setZero();
+  if (!contacts_.load_dependent().empty()) follow_impact(t, q, u);
   const Outcome outcome = solve_inclusion(t, q, u);
   if (outcome != Outcome::solved) return outcome;
   if (!u.allFinite()) return Outcome::not_finite;
   contacts_.velocity(u, gamma_);
   report_.worst_residual = std::max(report_.worst_residual, residual_);
   return outcome;
+}
+
+/// Radii of the loads that Λ says.
+void ImplicitStage::follow_loads(double w) {
+  for (const std::size_t k : contacts_.load_dependent())
+    contacts_.set_radius(k, contacts_.load_radius(k).at(impulse_[contacts_.row(k)] / w));
+}
+
+/// Radii of Hertz's impact of each contact alone, with the velocity u before it.
+void ImplicitStage::follow_impact(double t, const Eigen::VectorXd& q, const Eigen::VectorXd& u) {
+  contacts_.evaluate(t, q);
+  contacts_.velocity(u, gamma_);
+  for (const std::size_t k : contacts_.load_dependent()) {
+    const Eigen::Index normal = contacts_.row(k);
+    const double mass = 1 / contacts_.problem().delassus(normal, normal);
+    const double load = contacts_.load_radius(k).impact_load(mass, -gamma_[normal]);
+    const double before = force_[contacts_.chosen()[k]][0];
+    contacts_.set_radius(k, contacts_.load_radius(k).at(std::max(load, before)));
+  }
+}
+
+void ImplicitStage::forget_load(std::size_t contact) {
+  if (follows_load(system_.contacts()[contact])) force_[contact].setZero();
+}
+
+/// How far radii are from those of the loads found: what friction as large as μΛ_N, turned by as much, does
+/// to velocities, in units of the largest or of what Λ_N does.
+double ImplicitStage::effect_of_radii(double w) const {
+  double largest = 0;
+  for (const std::size_t k : contacts_.load_dependent()) {
+    const Eigen::Index row = contacts_.row(k);
+    const double normal = impulse_[row];
+    const double now = contacts_.load_radius(k).at(normal / w);
+    const double change = std::abs(now - contacts_.radius(k));
+    if (change == 0) continue;
+    const auto response = contacts_.response().middleCols(row, 4).cwiseAbs();
+    const double by_friction =
+        system_.contacts()[contacts_.chosen()[k]].mu * response.rightCols(3).maxCoeff();
+    const double speed = u_before_.lpNorm<Eigen::Infinity>() + normal * response.col(0).maxCoeff();
+    largest = std::max(largest, change / std::max(now, contacts_.radius(k)) * by_friction * (normal / speed));
+  }
+  return largest;
 }
 
 /// u without contacts on entry, with Λ on return.
@@ -110,7 +156,7 @@ bool ImplicitStage::settled(int round) {
   const double of_q = q_change_.cwiseQuotient(scale_).lpNorm<Eigen::Infinity>();
   const double of_u = largest > 0 ? u_change_.lpNorm<Eigen::Infinity>() / largest
                                   : (u_change_.isZero(0) ? 0 : std::numeric_limits<double>::infinity());
-  const double change = std::max(of_q, of_u);
+  const double change = std::max({of_q, of_u, radii_change_});
   const bool stalls = round > 0 && change <= small && change > shrinks * last_change_;
   const double next = round > 0 && change < last_change_ ? change * (change / last_change_) : change;
   last_change_ = change;

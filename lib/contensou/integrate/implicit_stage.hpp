@@ -20,6 +20,10 @@ namespace contensou {
 /// By fixed points: M, W and h at the last (q, u), the inclusion solved exactly, again. Contracts where
 /// w ‖∂(F u, M⁻¹h)/∂(q, u)‖ < 1; friction, however stiff, is in the inclusion and no matter. Ends where
 /// another round would change q and u by no more than rounding or the contact solver's tolerance.
+///
+/// A contact radius that follows the load (SystemContact::load_radius) is that of λ_N = Λ_N/w of the last
+/// round, and zero in the first round of a contact that has just closed, which is to find its λ_N: another
+/// fixed point, which contracts where the load hardly depends on friction (R goes like its third root).
 class ImplicitStage {
  public:
   struct Base {
@@ -41,8 +45,12 @@ class ImplicitStage {
 
   /// `u`: the guess on entry. Forces of the last stage in which a contact was chosen are the guess of Λ.
   Outcome solve(const Base& base, Eigen::VectorXd& q, Eigen::VectorXd& u);
-  /// An impact alone: u ← u + M⁻¹WΛ at (t, q) with the same laws.
+  /// An impact alone: u ← u + M⁻¹WΛ at (t, q) with the same laws. It has no duration and so no λ_N: a contact
+  /// radius that follows the load is that of the largest load in Hertz's elastic impact of the mass 1/W_NN
+  /// with −γ_N (LoadRadius::impact_load), but no smaller than before in a contact that was closed.
   Outcome impact(double t, const Eigen::VectorXd& q, Eigen::VectorXd& u);
+  /// Says that a contact was open, so that no load is left from before.
+  void forget_load(std::size_t contact);
   /// One line for an outcome that is not `solved`.
   static std::string describe(Outcome outcome);
 
@@ -56,6 +64,9 @@ class ImplicitStage {
 
  private:
   Outcome solve_inclusion(double t, const Eigen::VectorXd& q, Eigen::VectorXd& u);
+  void follow_loads(double w);
+  void follow_impact(double t, const Eigen::VectorXd& q, const Eigen::VectorXd& u);
+  double effect_of_radii(double w) const;
   bool settled(int round);
 
   const MechanicalSystem& system_;
@@ -68,6 +79,7 @@ class ImplicitStage {
   std::vector<Eigen::Vector4d> force_;  ///< λ of each contact of the system: guesses
   Eigen::VectorXd impulse_, gamma_;
   Eigen::VectorXd free_, rates_, q_change_, u_before_, u_change_;
+  double radii_change_ = 0;  ///< what it does to velocities, in units of the largest
   double last_change_ = 0;
   double residual_ = 0;   ///< of the last inclusion
   double uncertain_ = 0;  ///< velocity that counts as zero [m/s]

@@ -20,7 +20,7 @@ void require_valid(const SystemContact& contact) {
     reject(contact, "mu", contact.mu, "a number >= 0");
   if (n > 3 && !(contact.radius > 0 && std::isfinite(contact.radius)))
     reject(contact, "radius", contact.radius, "a number > 0");
-  if (n > 3 && contact.load_radius) {
+  if (follows_load(contact)) {
     const LoadRadius& r = *contact.load_radius;
     if (!(r.relative_radius > 0 && std::isfinite(r.relative_radius)))
       reject(contact, "relative radius", r.relative_radius, "a number > 0");
@@ -32,8 +32,18 @@ void require_valid(const SystemContact& contact) {
 
 }  // namespace
 
+bool follows_load(const SystemContact& contact) {
+  return contact.load_radius.has_value() && rows(contact.friction) > 3;
+}
+
 double LoadRadius::at(double lambda_n) const {
   return lambda_n > 0 ? std::cbrt(0.75 * relative_radius * lambda_n / modulus) : 0;
+}
+
+double LoadRadius::impact_load(double mass, double speed) const {
+  if (!(speed > 0)) return 0;
+  const double stiffness = 4.0 / 3 * modulus * std::sqrt(relative_radius);
+  return std::pow(stiffness, 0.4) * std::pow(1.25 * mass * speed * speed, 0.6);
 }
 
 MechanicalSystem::MechanicalSystem(std::vector<SystemContact> contacts) : contacts_(std::move(contacts)) {

@@ -21,6 +21,12 @@ struct LoadRadius {
 
   /// R [m] under λ_N [N]; zero where λ_N <= 0.
   double at(double lambda_n) const;
+  /// The largest load [N] of an elastic impact of the mass m* [kg] with the approach velocity v [m/s]; zero
+  /// where v <= 0. By Hertz, F = K δ^{3/2} at an approach δ of the bodies, K = (4/3) E* √ρ*. All of the
+  /// kinetic energy is in the contact where δ is largest,
+  ///     ½ m* v² = ∫ F dδ = (2/5) K δ^{5/2},   so   F = K^{2/5} (5/4 m* v²)^{3/5}
+  /// (K.L. Johnson, Contact Mechanics, 1985, Section 11.4; R = √(ρ*δ) there).
+  double impact_load(double mass, double speed) const;
 };
 
 /// What a contact of a system is made of. The rows it has are those of its friction: 1, 3 or 4.
@@ -31,9 +37,12 @@ struct SystemContact {
   double radius = 0;       ///< contact radius R [m], > 0 with four rows; unused otherwise
   double restitution = 0;  ///< ε_N, 0 to 1
   /// Given: the contact radius follows the load, and `radius` is only what rows and scales are written in.
-  /// Four rows, methods that say so.
+  /// Four rows, moreau, moreau_implicit and moreau_adaptive only (implicit_stage.hpp).
   std::optional<LoadRadius> load_radius = {};
 };
+
+/// Whether there is a radius and it follows the load.
+bool follows_load(const SystemContact& contact);
 
 /// The rows of one contact at one state, in the order (N, T1, T2, τ); columns beyond the contact's own are
 /// left alone. f velocities.

@@ -26,6 +26,10 @@ void require_possible(const MechanicalSystem& system, const IntegratorOptions& o
       refuse(contact, "uncoupled sliding and drilling friction", options.method,
              "moreau, moreau_implicit, moreau_adaptive or nscd");
     }
+    if (follows_load(contact)) {
+      refuse(contact, "a radius that follows the load", options.method,
+             "moreau, moreau_implicit or moreau_adaptive");
+    }
   }
 }
 

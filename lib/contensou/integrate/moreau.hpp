@@ -38,6 +38,9 @@ namespace contensou {
 /// Events carry the time of the landing in their step, else of the step's end; a bounce is `close` and `open`
 /// at one time. Shown inside a step is u as linear, q as cubic.
 ///
+/// A contact radius may follow the load: it is that of each stage's own λ_N (implicit_stage.hpp), so the
+/// order is the same. Impacts have the radius of Hertz's largest load.
+///
 /// The equations of a stage converge for Δt of up to about 3/‖∂(u̇, q̇)/∂(u, q)‖ (of a top: 3/ω); a longer one
 /// ends the run, RunStatus::solver_failed, as does a contact problem that is not solved.
 Scheme run_moreau;

@@ -147,7 +147,10 @@ MoreauStep::Outcome MoreauStep::land(double t, const ContactState& start, double
     std::fill(dissipated_.begin(), dissipated_.end(), Dissipation{});
   }
 
-  for (const Landing& landing : landings_) closed_.push_back(landing.contact);
+  for (const Landing& landing : landings_) {
+    closed_.push_back(landing.contact);
+    stage_.forget_load(landing.contact);
+  }
   std::sort(closed_.begin(), closed_.end());
   stage_.choose(closed_);
   const double t_impact = t + landed_ * dt;

@@ -5,6 +5,7 @@ namespace contensou {
 StepContacts::StepContacts(const MechanicalSystem& system)
     : system_(system), contact_(system.velocities()), at_rest_(Eigen::VectorXd::Zero(system.velocities())) {
   chosen_.reserve(system.contacts().size());
+  load_dependent_.reserve(system.contacts().size());
 }
 
 void StepContacts::choose(const std::vector<std::size_t>& contacts) {
@@ -12,8 +13,11 @@ void StepContacts::choose(const std::vector<std::size_t>& contacts) {
   chosen_ = contacts;
   first_row_.assign(1, 0);
   problem_.groups.clear();
+  load_dependent_.clear();
+  radius_.assign(chosen_.size(), 0);
   for (const std::size_t i : chosen_) {
     const SystemContact& contact = system_.contacts()[i];
+    if (follows_load(contact)) load_dependent_.push_back(problem_.groups.size());
     first_row_.push_back(first_row_.back() + contensou::rows(contact.friction));
     problem_.groups.push_back({&contact.friction, {contact.mu}});
   }
@@ -30,6 +34,12 @@ void StepContacts::evaluate(double t, ConstVector q) {
     directions_.middleCols(row(k), rows(k)) = contact_.directions.leftCols(rows(k));
     response_.middleCols(row(k), rows(k)) = contact_.response.leftCols(rows(k));
     drive_.segment(row(k), rows(k)) = contact_.velocity.head(rows(k));
+  }
+  for (const std::size_t k : load_dependent_) {
+    const double factor = radius_[k] / system_.contacts()[chosen_[k]].radius;
+    directions_.col(row(k) + 3) *= factor;
+    response_.col(row(k) + 3) *= factor;
+    drive_[row(k) + 3] *= factor;
   }
   for (Eigen::Index j = 0; j < rows(); ++j) {
     for (Eigen::Index i = j; i < rows(); ++i) {

@@ -24,6 +24,14 @@ class StepContacts {
   Eigen::Index rows(std::size_t k) const { return first_row_[k + 1] - first_row_[k]; }
   Eigen::Index rows() const { return first_row_.back(); }
 
+  /// The chosen contacts, by k, whose radius follows the load.
+  const std::vector<std::size_t>& load_dependent() const { return load_dependent_; }
+  const LoadRadius& load_radius(std::size_t k) const { return *system_.contacts()[chosen_[k]].load_radius; }
+  /// R [m] of one of these from the next evaluate() on: its drilling row, which the system writes in
+  /// SystemContact::radius, is multiplied by the quotient. Zero unless set.
+  void set_radius(std::size_t k, double radius) { radius_[k] = radius; }
+  double radius(std::size_t k) const { return radius_[k]; }
+
   /// W, M⁻¹W, w̃ and with them the Delassus matrix at (t, q).
   void evaluate(double t, ConstVector q);
   /// γ = Wᵀu + w̃ with what was last evaluated.
@@ -39,6 +47,8 @@ class StepContacts {
   const MechanicalSystem& system_;
   std::vector<std::size_t> chosen_;
   std::vector<Eigen::Index> first_row_{0};
+  std::vector<std::size_t> load_dependent_;
+  std::vector<double> radius_;  ///< of each chosen contact; used where it depends on the load
   ContactRows contact_;
   Eigen::VectorXd at_rest_;  ///< u = 0
   Eigen::MatrixXd directions_;
