@@ -35,7 +35,12 @@ void check_contact(const MechanicalSystem& system, std::size_t contact, const St
   CHECK((mass * all.response.leftCols(count) - w).norm() <= rounding * w.norm());
   const Eigen::VectorXd velocity = all.velocity;
   const Eigen::VectorXd drift = all.drift;
-  CHECK((w.transpose() * s.u - velocity.head(count)).norm() <= rounding * (1 + s.u.norm()) * w.norm());
+  const Eigen::VectorXd given = rows_at(system, contact, {s.t, s.q, still}).velocity.head(count);
+  CHECK((system.driven() || given.norm() == 0));
+  CHECK((w.transpose() * s.u + given - velocity.head(count)).norm() <=
+        rounding * ((1 + s.u.norm()) * w.norm() + given.norm()));
+  for (int k = 0; k < count; ++k)
+    CHECK(std::abs(all.given(k, s.u) - given[k]) <= rounding * (1 + given.norm()));
 
   const double approach =
       rate([&](double t) { return system.gap(contact, s.t + t, moved(system, s, still, t).q); });
@@ -58,8 +63,12 @@ void check_power(const MechanicalSystem& system, const State& s, Eigen::VectorXd
     const int count = rows(system.contacts()[i].friction);
     const Eigen::VectorXd force = generic(count, 0.3 + static_cast<double>(i));
     acceleration += all.response.leftCols(count) * force;
-    power += force.dot(Eigen::VectorXd(all.velocity).head(count));
+    const Eigen::VectorXd push = all.directions.leftCols(count) * force;
+    power += push.dot(s.u);
   }
+  Eigen::VectorXd works(static_cast<Eigen::Index>(system.works().size()));
+  system.powers(s.t, s.q, s.u, works);
+  power += works.sum();
   const double gain = rate([&](double t) { return energy(system, moved(system, s, acceleration, t)); });
   CHECK(std::abs(gain - power) <= difference_bound * (1 + std::abs(energy(system, s))));
 }

@@ -28,9 +28,10 @@ constexpr double difference_bound = 1e-9;
 contensou::State moved(const contensou::MechanicalSystem& system, const contensou::State& state,
                        const Eigen::VectorXd& acceleration, double t);
 
-/// Checks, with Catch's CHECK: M symmetric; T = uᵀMu/2; M M⁻¹h = h; M M⁻¹W = W; γ = Wᵀu and γ_N = ġ_N; the
-/// drift against the derivative of γ at u̇ = 0; the rate of T + V under forces at all contacts against their
-/// power Σγ·λ; absent rows left alone; sizes of scales; a state on the manifold unchanged by restore().
+/// Checks, with Catch's CHECK: M symmetric; T = uᵀMu/2; M M⁻¹h = h; M M⁻¹W = W; γ = Wᵀu + w̃ and γ_N = ġ_N;
+/// the drift against the derivative of γ at u̇ = 0; the rate of T + V under forces at all contacts against
+/// their power Σ(Wᵀu)·λ and that of works(); absent rows left alone; sizes of scales; a state on the manifold
+/// unchanged by restore().
 void check_terms(const contensou::MechanicalSystem& system, const contensou::State& state);
 
 }  // namespace system_test

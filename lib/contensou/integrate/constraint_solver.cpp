@@ -79,7 +79,8 @@ const Eigen::VectorXd& ConstraintSolver::solve() {
     solution_[0] = side[0] / matrix(0, 0);
     return solution_;
   }
-  for (Eigen::Index i = 0; i < m_; ++i) scale_[i] = 1 / std::sqrt(std::abs(matrix(i, i)));
+  for (Eigen::Index i = 0; i < m_; ++i)
+    scale_[i] = matrix(i, i) == 0 ? 1 : 1 / std::sqrt(std::abs(matrix(i, i)));
   for (Eigen::Index j = 0; j < m_; ++j) {
     for (Eigen::Index i = 0; i < m_; ++i) matrix(i, j) *= scale_[i] * scale_[j];
     side[j] *= scale_[j];

@@ -7,9 +7,10 @@ namespace contensou {
 
 /// Solves A x = b for the forces of constraints: A positive semi-definite and nearly symmetric, its rows and
 /// columns of very different size (that of a torque is smaller than the others by (R/length)²), and dependent
-/// where constraints repeat each other; b in its range. Rows and columns are scaled by 1/√A_ii first; pivots
-/// below 1e-11 are then dependence: far above rounding, far below the size of a patch. Of dependent
-/// constraints the forces x have least norm, so that none is asked for more than it need bear.
+/// where constraints repeat each other, or nothing that moves has a part in them (a zero row); b in its
+/// range. Rows and columns are scaled by 1/√A_ii first; pivots below 1e-11 are then dependence: far above
+/// rounding, far below the size of a patch. Of dependent constraints the forces x have least norm, so that
+/// none is asked for more than it need bear.
 ///
 /// Elimination with full pivoting; no allocation once systems stop growing.
 class ConstraintSolver {

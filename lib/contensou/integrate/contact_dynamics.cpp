@@ -12,7 +12,11 @@ const AnyFriction& effective_friction(const SystemContact& contact) {
 }
 
 ContactDynamics::ContactDynamics(const MechanicalSystem& system)
-    : system_(system), n_(system.coordinates()), f_(system.velocities()) {
+    : system_(system),
+      n_(system.coordinates()),
+      f_(system.velocities()),
+      works_(static_cast<Eigen::Index>(system.works().size())),
+      drives_(system.driven()) {
   const std::size_t count = system.contacts().size();
   for (const SystemContact& contact : system.contacts()) {
     friction_.emplace_back(effective_friction(contact));
@@ -22,6 +26,8 @@ ContactDynamics::ContactDynamics(const MechanicalSystem& system)
   border_.assign(count, Eigen::Vector3d::Zero());
   velocity_ = border_;
   rows_.assign(count, ContactRows(f_));
+  worked_ = n_ + f_ + 2 * this->count();
+  driven_ = worked_ + works_;
   force_.assign(count, Eigen::Vector4d::Zero());
   response_.assign(count, Eigen::VectorXd(f_));
   velocity_gradient_.assign(count, Eigen::MatrixXd(3, n_ + f_));
@@ -67,7 +73,8 @@ void ContactDynamics::evaluate(double t, const Eigen::VectorXd& y, Eigen::Vector
   auto a = dy.segment(n_, f_);
   system_.coordinate_rates(q, u, dy.head(n_));
   system_.free_acceleration(t, q, u, a);
-  dy.tail(2 * static_cast<Eigen::Index>(rows_.size())).setZero();
+  dy.tail(size() - n_ - f_).setZero();
+  if (works_ > 0) system_.powers(t, q, u, dy.segment(worked_, works_));
   if (closed_.empty()) return;
 
   for (const std::size_t i : closed_) {
@@ -83,6 +90,7 @@ void ContactDynamics::evaluate(double t, const Eigen::VectorXd& y, Eigen::Vector
     solve_all(a);
   }
   for (const std::size_t i : closed_) {
+    if (drives_) dy[driven_ + static_cast<Eigen::Index>(i)] = driving_power(i, y);
     if (modes_[i] != ContactMode::slip) continue;
     const Eigen::Vector4d& gamma = rows_[i].velocity;
     const int dimension = friction_[i].dimension();
@@ -133,6 +141,24 @@ void ContactDynamics::solve_all(Eigen::Ref<Eigen::VectorXd> a) {
     if (c.row == 0 && modes_[c.contact] == ContactMode::slip)
       force_[c.contact].tail<3>() = (-mu_[c.contact] * solution[j]) * border_[c.contact];
   }
+}
+
+double ContactDynamics::driving_power(std::size_t i, const Eigen::VectorXd& y) const {
+  double power = 0;
+  for (int k = 0; k <= friction_[i].dimension(); ++k)
+    power -= force_[i][k] * rows_[i].given(k, y.segment(n_, f_));
+  return power;
+}
+
+void ContactDynamics::read_energy(const Eigen::VectorXd& y, std::vector<Dissipation>& dissipated,
+                                  std::vector<double>& work) const {
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const auto k = static_cast<Eigen::Index>(i);
+    dissipated[i].sliding = y[n_ + f_ + 2 * k];
+    dissipated[i].drilling = y[n_ + f_ + 2 * k + 1];
+    if (drives_) dissipated[i].driven += y[driven_ + k];
+  }
+  work.assign(y.data() + worked_, y.data() + driven_);
 }
 
 Eigen::Vector4d ContactDynamics::contact_acceleration(std::size_t i, const Eigen::VectorXd& dy) const {

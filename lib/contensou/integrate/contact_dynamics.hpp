@@ -19,7 +19,8 @@ const AnyFriction& effective_friction(const SystemContact& contact);
 ///     slipping:  λ_F = −μλ_N x̂(γ_F);      sticking:  γ̇_F = 0.
 /// Dependent constraints (two contacts that stick) share their forces as ConstraintSolver says.
 ///
-///     y = (q, u, W),    W = (∫ sliding, ∫ drilling power lost) of each contact in turn [J]: quadratures.
+///     y = (q, u, W),    W = (∫ sliding, ∫ drilling power lost) of each contact in turn, then the system's
+///                       works() and, if it is driven(), −∫λ·w̃ dt of each contact [J]: quadratures.
 ///
 /// Keeps what its last evaluation found. No allocation after the modes have been met once.
 class ContactDynamics final : public OdeSystem {
@@ -33,7 +34,7 @@ class ContactDynamics final : public OdeSystem {
 
   void set_modes(const std::vector<ContactMode>& modes);
 
-  Eigen::Index size() const override { return n_ + f_ + 2 * static_cast<Eigen::Index>(rows_.size()); }
+  Eigen::Index size() const override { return driven_ + (drives_ ? count() : 0); }
   Eigen::Index coupled() const override { return n_ + f_; }
   void derivative(double t, const Eigen::VectorXd& y, Eigen::VectorXd& dy) override;
   /// ∂x̂/∂γ_F from the law, all else by forward differences with x̂ held: exact to some 1e-7 however small
@@ -41,6 +42,9 @@ class ContactDynamics final : public OdeSystem {
   void jacobian(double t, const Eigen::VectorXd& y, const Eigen::VectorXd& rate,
                 Eigen::MatrixXd& jacobian) override;
   std::int64_t evaluations() const { return evaluations_; }
+  /// Writes the quadratures of y into `dissipated` (by contact, `impact` left alone) and `work`.
+  void read_energy(const Eigen::VectorXd& y, std::vector<Dissipation>& dissipated,
+                   std::vector<double>& work) const;
 
   // Of the last evaluation:
   /// λ = (λ_N, λ_T1, λ_T2, λ_τ) [N] of a closed contact.
@@ -62,9 +66,15 @@ class ContactDynamics final : public OdeSystem {
   void solve_all(Eigen::Ref<Eigen::VectorXd> a);
   /// Direction in which the force of contact i with λ_N = 1 accelerates, while it slips.
   void slip_response(std::size_t contact);
+  /// −λ·w̃ of a closed contact.
+  double driving_power(std::size_t contact, const Eigen::VectorXd& y) const;
+  Eigen::Index count() const { return static_cast<Eigen::Index>(rows_.size()); }
 
   const MechanicalSystem& system_;
   Eigen::Index n_, f_;
+  Eigen::Index works_;            ///< how many
+  bool drives_;                   ///< system.driven()
+  Eigen::Index worked_, driven_;  ///< where quadratures of works() and of w̃ stand in y
   std::vector<SlipFriction> friction_;
   std::vector<double> mu_;
   std::vector<ContactMode> modes_;

@@ -16,7 +16,7 @@ constexpr double on_border = 1e-10;
 }  // namespace
 
 ContactInstant::ContactInstant(const MechanicalSystem& system, double solver_tolerance)
-    : system_(system), solver_(SolverOptions{.tolerance = solver_tolerance}) {
+    : system_(system), drives_(system.driven()), solver_(SolverOptions{.tolerance = solver_tolerance}) {
   const std::size_t count = system.contacts().size();
   for (const SystemContact& contact : system.contacts()) friction_.emplace_back(effective_friction(contact));
   rows_.assign(count, ContactRows(system.velocities()));
@@ -95,6 +95,13 @@ bool ContactInstant::impact(State& state, const InstantTolerances& tolerances, R
   Eigen::VectorXd impulse;
   if (!solved(solver_.solve(problem, impulse), state, "impact", report)) return false;
   const Eigen::VectorXd change = problem.delassus * impulse;
+  if (drives_) {
+    row = 0;
+    for (const std::size_t i : closed_) {
+      for (int k = 0; k <= friction_[i].dimension(); ++k)
+        report.dissipated[i].driven -= impulse[row++] * rows_[i].given(k, state.u);
+    }
+  }
   row = 0;
   for (const std::size_t i : closed_) {
     const int count = 1 + friction_[i].dimension();
@@ -124,7 +131,8 @@ void ContactInstant::apply(State& state, RunReport& report) {
   constraints_.resize(m);
   bool met = true;
   for (Eigen::Index r = 0; r < m; ++r) {
-    const Target& a = targets_[static_cast<std::size_t>(r)];
+    Target& a = targets_[static_cast<std::size_t>(r)];
+    if (drives_) a.given = rows_[a.contact].given(a.row, state.u);
     for (Eigen::Index s = 0; s < m; ++s) {
       const Target& b = targets_[static_cast<std::size_t>(s)];
       constraints_.matrix(r, s) =
@@ -139,6 +147,7 @@ void ContactInstant::apply(State& state, RunReport& report) {
     const Target& a = targets_[static_cast<std::size_t>(r)];
     const double mean = (rows_[a.contact].velocity[a.row] + a.velocity) / 2;
     report.dissipated[a.contact].impact -= impulse[r] * mean;
+    report.dissipated[a.contact].driven -= impulse[r] * a.given;
     state.u += impulse[r] * rows_[a.contact].response.col(a.row);
   }
 }
@@ -267,6 +276,9 @@ void ContactInstant::close(State& state, const std::vector<ContactMode>& modes, 
     const Eigen::VectorXd gamma =
         rows_[i].velocity.head(count) + rows_[i].directions.leftCols(count).transpose() * mean;
     report.dissipated[i].impact -= impulse[static_cast<Eigen::Index>(r)] * ray[r].head(count).dot(gamma);
+    for (int k = 0; drives_ && k < count; ++k)
+      report.dissipated[i].driven -=
+          impulse[static_cast<Eigen::Index>(r)] * ray[r][k] * rows_[i].given(k, before);
   }
 }
 

@@ -53,6 +53,7 @@ class ContactInstant {
     std::size_t contact;
     int row;
     double velocity;
+    double given = 0;  ///< w̃ of the row
   };
 
   void gather(const State& state, const std::vector<ContactMode>& modes);
@@ -69,6 +70,7 @@ class ContactInstant {
   bool solved(const SolverReport& solver, const State& state, const char* what, RunReport& report) const;
 
   const MechanicalSystem& system_;
+  bool drives_;  ///< system.driven()
   ContactSolver solver_;
   std::vector<SlipFriction> friction_;
   std::vector<ContactRows> rows_;

@@ -95,11 +95,7 @@ RunReport HybridRun::run() {
     load();
     show_until(t_end_, nullptr, 0);
   }
-  for (std::size_t i = 0; i < modes_.size(); ++i) {
-    const Eigen::Index at = dynamics_.coupled() + 2 * static_cast<Eigen::Index>(i);
-    report_.dissipated[i].sliding = y_[at];
-    report_.dissipated[i].drilling = y_[at + 1];
-  }
+  dynamics_.read_energy(y_, report_.dissipated, report_.work);
   report_.evaluations = dynamics_.evaluations();
   order_events();
   return report_;

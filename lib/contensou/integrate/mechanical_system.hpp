@@ -53,6 +53,9 @@ struct ContactRows {
   Eigen::Vector4d drift;                                ///< γ̇ at u̇ = 0: Ẇᵀu + ∂w̃/∂t [m/s²]
 
   explicit ContactRows(Eigen::Index f = 0) : directions(f, 4), response(f, 4) {}
+
+  /// w̃ of a row: what is left of γ without Wᵀu, u that of `velocity`.
+  double given(int row, ConstVector u) const { return velocity[row] - directions.col(row).dot(u); }
 };
 
 /// A mechanical system with unilateral contacts, LG03 (4.1), as integrators see it:
@@ -95,6 +98,9 @@ class MechanicalSystem {
   /// All of ContactRows, also for an open contact.
   virtual void contact_rows(std::size_t contact, double t, ConstVector q, ConstVector u,
                             ContactRows& rows) const = 0;
+
+  /// Whether w̃ of any contact may be other than zero: only then do integrators ask what it puts in.
+  virtual bool driven() const { return false; }
 
   virtual double kinetic_energy(ConstVector q, ConstVector u) const = 0;  ///< [J]
   virtual double potential_energy(ConstVector q) const = 0;               ///< [J]

@@ -112,7 +112,7 @@ RunReport run_moreau_adaptive(const MechanicalSystem& system, State& state, doub
   double dt = options.step;
 
   const auto keep = [&](double from, double to, const MoreauStep& half) {
-    add(half.dissipated(), report.dissipated);
+    add_energy(half, report);
     recorder.accept(
         from, to, half.end().modes,
         [&half](double theta, Eigen::VectorXd& q, Eigen::VectorXd& u) { half.interpolate(theta, q, u); },

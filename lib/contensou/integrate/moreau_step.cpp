@@ -30,6 +30,9 @@ MoreauStep::MoreauStep(const MechanicalSystem& system, const IntegratorOptions& 
       kind_(kind),
       stage_(system, options, report),
       dissipated_(system.contacts().size()),
+      drives_(system.driven()),
+      work_(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(system.works().size()))),
+      power_(work_),
       contact_(system.velocities()),
       acceleration_(Eigen::VectorXd::Zero(system.velocities())),
       first_acceleration_(system.velocities()),
@@ -69,17 +72,18 @@ MoreauStep::Outcome MoreauStep::fly(double t, const ContactState& start, double 
     if (start.modes[i] != ContactMode::open) closed_.push_back(i);
   }
   stage_.choose(closed_);
-  std::fill(dissipated_.begin(), dissipated_.end(), Dissipation{});
+  forget_energy();
   if (kind_ == Kind::second_order) {
     const Outcome outcome = second_order(t, start, dt);
     if (outcome != Outcome::solved || smooth_) return outcome;
-    std::fill(dissipated_.begin(), dissipated_.end(), Dissipation{});
+    forget_energy();
   }
   const Outcome outcome = euler(t, start, dt);
   if (outcome != Outcome::solved) return outcome;
   acceleration_ = (end_.u - start.u) / dt;
   jerk_.setZero();
   add_impulses(start.u, false);
+  add_work(t + dt, dt, end_.q, start.u, end_.u);
   return outcome;
 }
 
@@ -92,6 +96,7 @@ MoreauStep::Outcome MoreauStep::second_order(double t, const ContactState& start
   read_modes();
   smooth_ = end_.modes == start.modes;
   add_power(carried);
+  add_work(t + w, carried * w, q1_, u1_, u1_);
 
   q_base_ = start.q + carried * (q1_ - start.q);
   u_base_ = start.u + carried * (u1_ - start.u);
@@ -103,6 +108,7 @@ MoreauStep::Outcome MoreauStep::second_order(double t, const ContactState& start
   read_modes();
   smooth_ = smooth_ && end_.modes == start.modes;
   add_power(1);
+  add_work(t + dt, w, end_.q, end_.u, end_.u);
   acceleration_ = (end_.u - u_base_) / w;
   jerk_ = (acceleration_ - first_acceleration_) / (dt - w);
   return outcome;
@@ -144,7 +150,7 @@ MoreauStep::Outcome MoreauStep::land(double t, const ContactState& start, double
     if (outcome != Outcome::solved) return outcome;
     before_impact_ = end_;
   } else {
-    std::fill(dissipated_.begin(), dissipated_.end(), Dissipation{});
+    forget_energy();
   }
 
   for (const Landing& landing : landings_) {
@@ -189,6 +195,7 @@ MoreauStep::Outcome MoreauStep::land(double t, const ContactState& start, double
     outcome = stage_.solve({t + dt, rest, before_impact_.q, u_after_impact_}, end_.q, end_.u);
     if (outcome != Outcome::solved) return outcome;
     add_impulses(u_after_impact_, true);
+    add_work(t + dt, rest, end_.q, u_after_impact_, end_.u);
   }
   read_modes();
   smooth_ = false;
@@ -218,6 +225,7 @@ void MoreauStep::add_power(double weight) {
     };
     if (n > 1) dissipated_[closed_[k]].sliding += power(1) + power(2);
     if (n > 3) dissipated_[closed_[k]].drilling += power(3);
+    if (drives_) add_driven(k, weight);
   }
 }
 
@@ -238,7 +246,30 @@ void MoreauStep::add_impulses(const Eigen::VectorXd& u_start, bool landing) {
       if (n > 1) d.sliding += work(1) + work(2);
       if (n > 3) d.drilling += work(3);
     }
+    if (drives_) add_driven(k, 1);
   }
+}
+
+/// −weight Λ·w̃ of the stage.
+void MoreauStep::add_driven(std::size_t k, double weight) {
+  const Eigen::Index first = stage_.contacts().row(k);
+  const Eigen::Index n = stage_.contacts().rows(k);
+  dissipated_[closed_[k]].driven -=
+      weight * stage_.impulse().segment(first, n).dot(stage_.contacts().drive().segment(first, n));
+}
+
+/// What works() did in a stage at (t, q) over `dt`, of which u went from `u0` to `u1`.
+void MoreauStep::add_work(double t, double dt, const Eigen::VectorXd& q, const Eigen::VectorXd& u0,
+                          const Eigen::VectorXd& u1) {
+  if (work_.size() == 0) return;
+  u_mean_ = (u0 + u1) / 2;
+  system_.powers(t, q, u_mean_, power_);
+  work_ += dt * power_;
+}
+
+void MoreauStep::forget_energy() {
+  std::fill(dissipated_.begin(), dissipated_.end(), Dissipation{});
+  work_.setZero();
 }
 
 /// q of the end restored, and onto g_N = 0 of all closed contacts by changes along M⁻¹w_N.
@@ -279,12 +310,15 @@ void MoreauStep::interpolate(double theta, Eigen::VectorXd& q, Eigen::VectorXd& 
       dt_ * theta * back * (back * rates_start_ - theta * rates_end_);
 }
 
-void add(const std::vector<Dissipation>& step, std::vector<Dissipation>& run) {
-  for (std::size_t i = 0; i < step.size(); ++i) {
-    run[i].sliding += step[i].sliding;
-    run[i].drilling += step[i].drilling;
-    run[i].impact += step[i].impact;
+void add_energy(const MoreauStep& step, RunReport& run) {
+  for (std::size_t i = 0; i < run.dissipated.size(); ++i) {
+    const Dissipation& taken = step.dissipated()[i];
+    run.dissipated[i].sliding += taken.sliding;
+    run.dissipated[i].drilling += taken.drilling;
+    run.dissipated[i].impact += taken.impact;
+    run.dissipated[i].driven += taken.driven;
   }
+  for (std::size_t i = 0; i < run.work.size(); ++i) run.work[i] += step.work()[static_cast<Eigen::Index>(i)];
 }
 
 RunReport& end_run(RunReport& report, MoreauStep::Outcome outcome, double t) {

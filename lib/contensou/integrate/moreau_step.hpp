@@ -34,6 +34,8 @@ class MoreauStep {
   /// Whether contacts stayed what they were.
   bool smooth() const { return smooth_; }
   const std::vector<Dissipation>& dissipated() const { return dissipated_; }
+  /// By the system's works() [J].
+  const Eigen::VectorXd& work() const { return work_; }
   /// Whether a contact that an impact would have left open, or left bouncing with its ε_N, was kept closed:
   /// the step is too long to see it.
   bool suppressed() const { return suppressed_; }
@@ -59,8 +61,12 @@ class MoreauStep {
   void read_modes();
   double normal_velocity(std::size_t contact, double t, const Eigen::VectorXd& q, const Eigen::VectorXd& u);
   Outcome fly(double t, const ContactState& start, double dt);
+  void forget_energy();
   void add_power(double weight);
   void add_impulses(const Eigen::VectorXd& u_start, bool landing);
+  void add_driven(std::size_t k, double weight);
+  void add_work(double t, double dt, const Eigen::VectorXd& q, const Eigen::VectorXd& u0,
+                const Eigen::VectorXd& u1);
   void close_gaps(double t);
 
   const MechanicalSystem& system_;
@@ -70,6 +76,8 @@ class MoreauStep {
   std::vector<Landing> landings_;
   ContactState end_;
   std::vector<Dissipation> dissipated_;
+  bool drives_;  ///< system.driven()
+  Eigen::VectorXd work_, power_, u_mean_;
   bool smooth_ = true;
   bool suppressed_ = false;
   std::vector<std::size_t> bounced_;
@@ -86,8 +94,8 @@ class MoreauStep {
   double dt_ = 0;
 };
 
-/// Adds what a step dissipated to what the run did.
-void add(const std::vector<Dissipation>& step, std::vector<Dissipation>& run);
+/// Adds what a step dissipated, and the work done in it, to what the run did.
+void add_energy(const MoreauStep& step, RunReport& run);
 /// Ends a run whose step was not solved.
 RunReport& end_run(RunReport& report, MoreauStep::Outcome outcome, double t);
 

@@ -51,6 +51,7 @@ MotionRecorder::MotionRecorder(const MechanicalSystem& system, const State& star
       q_(start.q),
       u_(start.u) {
   report_.dissipated.assign(system.contacts().size(), {});
+  report_.work.assign(system.works().size(), 0);
   show();
 }
 

@@ -21,6 +21,7 @@ PrintedContacts::PrintedContacts(const MechanicalSystem& system, const Integrato
       modes_(system.contacts().size(), ContactMode::open),
       momentum_(system.contacts().size(), Eigen::MatrixX3d::Zero(system.velocities(), 3)),
       driven_(system.contacts().size(), Eigen::Vector3d::Zero()),
+      power_(static_cast<Eigen::Index>(system.works().size())),
       q_mid_(system.coordinates()),
       q_end_(system.coordinates()),
       u_end_(system.velocities()),
@@ -36,6 +37,8 @@ PrintedContacts::PrintedContacts(const MechanicalSystem& system, const Integrato
 
 void PrintedContacts::step(double t, const Eigen::VectorXd& q, const Eigen::VectorXd& u, double dt) {
   const double t_mid = t + dt / 2;
+  t_mid_ = t_mid;
+  dt_ = dt;
   system_.coordinate_rates(q, u, rates_);
   q_mid_ = q + dt / 2 * rates_;
   system_.free_acceleration(t_mid, q_mid_, u, free_);
@@ -46,6 +49,7 @@ void PrintedContacts::step(double t, const Eigen::VectorXd& q, const Eigen::Vect
     kept_[closed_[k]].head(contacts_.rows(k)) = impulse_.segment(contacts_.row(k), contacts_.rows(k));
   system_.coordinate_rates(q_mid_, u_end_, rates_);
   q_end_ = q_mid_ + dt / 2 * rates_;
+  if (power_.size() > 0) u_mean_ = (u + u_end_) / 2;
 }
 
 /// I_N and the terms of its contacts at the midpoint.
@@ -107,6 +111,11 @@ void PrintedContacts::begin_whole_step() {
 }
 
 void PrintedContacts::add(double weight) {
+  if (power_.size() > 0) {
+    system_.powers(t_mid_, q_mid_, u_mean_, power_);
+    for (std::size_t i = 0; i < report_.work.size(); ++i)
+      report_.work[i] += weight * dt_ * power_[static_cast<Eigen::Index>(i)];
+  }
   for (std::size_t k = 0; k < closed_.size(); ++k) {
     const std::size_t i = closed_[k];
     const Eigen::Index first = contacts_.row(k);
@@ -134,6 +143,7 @@ void PrintedContacts::end_whole_step(const Eigen::VectorXd& u_start, const Eigen
       return -momentum_[i].col(kind).dot(u_start + u_end) / 2 - driven_[i][kind];
     };
     Dissipation& dissipated = report_.dissipated[i];
+    dissipated.driven -= driven_[i].sum();
     if (impact) {
       dissipated.impact += work(0) + work(1) + work(2);
     } else {

@@ -76,6 +76,8 @@ class PrintedContacts {
   /// Of each contact: Σ weight WΛ by (N, T, τ), f × 3, and Σ weight Λw̃, 3.
   std::vector<Eigen::Matrix<double, Eigen::Dynamic, 3>> momentum_;
   std::vector<Eigen::Vector3d> driven_;
+  double t_mid_ = 0, dt_ = 0;
+  Eigen::VectorXd u_mean_, power_;  ///< of the last step()
   Eigen::VectorXd q_mid_, q_end_, u_end_, rates_, free_;
   Eigen::VectorXd impulse_, gamma_;
   std::int64_t failures_ = 0;

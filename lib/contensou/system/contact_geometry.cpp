@@ -1,0 +1,71 @@
+#include "contensou/system/contact_geometry.hpp"
+
+#include <Eigen/Geometry>
+
+namespace contensou {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+/// Where e_z gives way to −e_z.
+constexpr double seam = -0.9;
+
+double side(const Vector3d& normal) { return normal[2] < seam ? -1 : 1; }
+
+}  // namespace
+
+Matrix3d contact_axes(const Vector3d& normal) {
+  const double s = side(normal);
+  const Vector3d middle = normal + s * Vector3d::UnitZ();
+  const double scale = 1 / (1 + s * normal[2]);
+  Matrix3d axes;
+  axes.col(0) = normal;
+  axes.col(1) = Vector3d::UnitX() - normal[0] * scale * middle;
+  axes.col(2) = s * (Vector3d::UnitY() - normal[1] * scale * middle);
+  return axes;
+}
+
+Matrix3d contact_axes_rate(const Vector3d& normal, const Vector3d& rate) {
+  const double s = side(normal);
+  const Vector3d middle = normal + s * Vector3d::UnitZ();
+  const double scale = 1 / (1 + s * normal[2]);
+  const double scale_rate = -s * rate[2] * scale * scale;
+  const auto tangent = [&](int k) -> Vector3d {
+    return -(rate[k] * scale + normal[k] * scale_rate) * middle - normal[k] * scale * rate;
+  };
+  Matrix3d rates;
+  rates.col(0) = rate;
+  rates.col(1) = tangent(0);
+  rates.col(2) = s * tangent(1);
+  return rates;
+}
+
+double sphere_gap(const Vector3d& centre, double radius, const Vector3d& other, double other_radius) {
+  return (centre - other).norm() - (radius + other_radius);
+}
+
+SphereContact sphere_contact(const MovingSphere& sphere, const MovingSphere& other) {
+  const Vector3d between = sphere.centre - other.centre;
+  const double distance = between.norm();
+  const Vector3d normal = between / distance;
+  const Vector3d approach = sphere.velocity - other.velocity;
+  const Vector3d normal_rate = (approach - normal.dot(approach) * normal) / distance;
+  const Vector3d rolling = sphere.radius * sphere.spin + other.radius * other.spin;
+  const Vector3d slip = approach - rolling.cross(normal);
+  const Vector3d bend = sphere.acceleration - other.acceleration;
+  const Matrix3d axes_rate = contact_axes_rate(normal, normal_rate);
+
+  SphereContact contact;
+  contact.axes = contact_axes(normal);
+  contact.lever = sphere.arm - sphere.radius * normal;
+  contact.other = other.arm + other.radius * normal;
+  contact.drift =
+      axes_rate.transpose() * slip + contact.axes.transpose() * (bend - rolling.cross(normal_rate)).eval();
+  // In γ_N both parts have one that cancels.
+  contact.drift[0] = normal_rate.dot(approach) + normal.dot(bend);
+  contact.spin_drift = normal_rate.dot(sphere.spin - other.spin);
+  return contact;
+}
+
+}  // namespace contensou
