@@ -1,0 +1,122 @@
+#include "contensou/granular/contact_set.hpp"
+
+#include <algorithm>
+
+#include "contensou/contact/blocks.hpp"
+
+namespace contensou {
+namespace {
+
+using Eigen::Vector3d;
+
+/// n, and where there is friction two axes across it.
+template <int directions>
+Eigen::Matrix<double, 3, directions> axes_of(const Vector3d& n) {
+  Eigen::Matrix<double, 3, directions> axes;
+  axes.col(0) = n;
+  if constexpr (directions == 3) {
+    const double s = n[2] < 0 ? -1 : 1;
+    const double a = -1 / (s + n[2]);
+    const double b = n[0] * n[1] * a;
+    axes.col(1) = Vector3d(1 + s * n[0] * n[0] * a, s * b, -s * n[0]);
+    axes.col(2) = Vector3d(b, s + n[1] * n[1] * a, -n[1]);
+  }
+  return axes;
+}
+
+/// R under the load of the last step; of a pair that did not touch then, under what stops it alone.
+double radius_under_load(const SystemContact& rule, const NearPair& pair, const PairList& list,
+                         const Approach& approach, double normal_block, double target, double dt) {
+  LoadRadius law = *rule.load_radius;
+  const double r = list.shapes()[pair.first].radius;
+  law.relative_radius = r;
+  if (!list.is_plane(pair)) {
+    const double other = list.shapes()[pair.second].radius;
+    law.relative_radius = r * other / (r + other);
+  }
+  double impulse = pair.impulse.dot(approach.normal);
+  if (!(impulse > 0)) impulse = (target - approach.free) / normal_block;
+  return law.at(std::max(impulse, 0.0) / dt);
+}
+
+}  // namespace
+
+void ContactSet::clear() {
+  order_.clear();
+  runs_.clear();
+  std::apply([](auto&... blocks) { (blocks.clear(), ...); }, blocks_);
+}
+
+void ContactSet::sort(const PairList& list) {
+  colouring_.clear(data_.bodies.size());
+  for (std::uint32_t k = 0; k < list.pairs().size(); ++k) {
+    const NearPair& pair = list.pairs()[k];
+    if (!pair.chosen) continue;
+    const auto [first, second] = list.bodies(pair);
+    order_.push_back({colouring_.next(first, second), pair.rule, k});
+  }
+  std::sort(order_.begin(), order_.end(), [](const Order& a, const Order& b) {
+    return std::tie(a.colour, a.rule, a.pair) < std::tie(b.colour, b.rule, b.pair);
+  });
+}
+
+void ContactSet::build(const PairList& list, const std::vector<Approach>& approach,
+                       const std::vector<Mobility>& mobility, double dt) {
+  clear();
+  sort(list);
+  for (auto begin = order_.begin(); begin != order_.end();) {
+    const auto end = std::find_if(begin, order_.end(), [&](const Order& o) {
+      return o.colour != begin->colour || o.rule != begin->rule;
+    });
+    const SystemContact& rule = data_.rules[begin->rule];
+    std::visit(
+        [&]<class Domain>(const Domain&) {
+          constexpr int rows = 1 + Domain::dimension;
+          auto& blocks = std::get<std::vector<ContactBlock<rows>>>(blocks_);
+          runs_.push_back({&rule.friction, rule.mu, begin->rule, begin->colour, blocks.size(),
+                           static_cast<std::size_t>(end - begin)});
+          for (auto it = begin; it != end; ++it) {
+            const NearPair& pair = list.pairs()[it->pair];
+            const Approach& a = approach[it->pair];
+            ContactBlock<rows>& c = blocks.emplace_back();
+            c.pair = it->pair;
+            std::tie(c.first, c.second) = list.bodies(pair);
+            c.axes = axes_of<ContactBlock<rows>::directions>(a.normal);
+            c.arm = a.arm;
+            c.other = a.other;
+            c.target = normal_target(a, rule.restitution, dt);
+            c.radius = rule.radius;
+            c.w = own_block(c, mobility);
+            if constexpr (rows == 4) {
+              if (rule.load_radius) {
+                c.radius = radius_under_load(rule, pair, list, a, c.w(0, 0), c.target, dt);
+                c.w = own_block(c, mobility);
+              }
+              c.impulse[3] = pair.drilling;
+            }
+            c.step = natural_step(row_sum_norm(c.w), 1);
+            c.impulse.template head<ContactBlock<rows>::directions>() = c.axes.transpose() * pair.impulse;
+            c.impulse[0] = std::max(c.impulse[0], 0.0);
+          }
+        },
+        rule.friction);
+    begin = end;
+  }
+}
+
+void ContactSet::store(PairList& list) {
+  for (NearPair& pair : list.pairs()) {
+    pair.impulse.setZero();
+    pair.drilling = 0;
+  }
+  for_each_run([&](const auto&, const Run&, auto blocks) {
+    for (const auto& c : blocks) {
+      list.pairs()[c.pair].impulse =
+          c.axes * c.impulse.template head<std::decay_t<decltype(c)>::directions>();
+      if constexpr (std::decay_t<decltype(c)>::Vector::RowsAtCompileTime == 4)
+        list.pairs()[c.pair].drilling = c.impulse[3];
+    }
+  });
+}
+
+}  // namespace contensou

@@ -1,0 +1,162 @@
+// Many bodies: against closed-form motions, the energy account, and starts that make no sense.
+
+#include "contensou/granular/nscd.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "balls.hpp"
+
+using namespace contensou;
+using balls::add_ball;
+using balls::add_plane;
+
+namespace {
+
+const AnyFriction none{NoFriction{}};
+const AnyFriction coulomb{FrictionDisk{}};
+const AnyFriction hertz{FrictionBall(SmoothPlate(HertzLaw{}))};
+
+IntegratorOptions options(double step, double tolerance = 1e-10) {
+  IntegratorOptions o;
+  o.method = Method::nscd;
+  o.step = step;
+  o.solver_tolerance = tolerance;
+  return o;
+}
+
+/// Height of a ball that falls from `height` above its resting place and bounces, before its impacts
+/// accumulate.
+double bouncing(double height, double restitution, double t) {
+  const double g = 9.81;
+  double fall = std::sqrt(2 * height / g);
+  if (t < fall) return height - g * t * t / 2;
+  double speed = restitution * g * fall;
+  t -= fall;
+  while (t > 2 * speed / g) {
+    t -= 2 * speed / g;
+    speed *= restitution;
+  }
+  return speed * t - g * t * t / 2;
+}
+
+double bounce_error(double step) {
+  BodiesData data = balls::scene(none, 0, 0.8);
+  add_plane(data, {0, 0, 1}, 0);
+  add_ball(data, 0.1, 0.05, {0, 0, 0.05 + 0.5});
+  const BodyLayout layout(data);
+  State state = layout.start();
+  const RunReport report = run_nscd(data, state, 1.3, options(step), 1);
+  REQUIRE(report.status == RunStatus::finished);
+  return std::abs(state.q[2] - 0.05 - bouncing(0.5, 0.8, 1.3));
+}
+
+}  // namespace
+
+TEST_CASE("nscd: a ball falls and bounces as it should, to first order", "[granular]") {
+  // Three impacts: each at most a step late, at a speed of at most 3.2 m/s before and 2.6 m/s behind.
+  for (const double step : {1e-3, 1e-4, 1e-5}) CHECK(bounce_error(step) < 3 * 6 * step);
+}
+
+TEST_CASE("nscd: elastic impacts keep their height for ever", "[granular]") {
+  BodiesData data = balls::scene(none, 0, 1);
+  add_plane(data, {0, 0, 1}, 0);
+  add_ball(data, 0.1, 0.05, {0, 0, 0.3});
+  const BodyLayout layout(data);
+  State state = layout.start();
+  const double start = balls::energy(layout, state);
+  const RunReport report = run_nscd(data, state, 20, options(1e-3), 1);
+  CHECK(report.status == RunStatus::finished);
+  CHECK(balls::energy(layout, state) == Approx(start).epsilon(1e-11));  // 20 000 steps' rounding
+}
+
+TEST_CASE("nscd: a sliding ball ends rolling at 5/7 of its speed", "[granular]") {
+  for (const double step : {1e-3, 1e-4}) {
+    BodiesData data = balls::scene(coulomb, 0.2, 0);
+    add_plane(data, {0, 0, 1}, 0);
+    add_ball(data, 0.2, 0.03, {0, 0, 0.03}).velocity = {1.4, 0, 0};
+    const BodyLayout layout(data);
+    State state = layout.start();
+    const RunReport report = run_nscd(data, state, 1, options(step), 1);
+    CHECK(report.status == RunStatus::finished);
+    CHECK(state.u[0] == Approx(1.0).epsilon(1e-12));
+    // Slides until v₀ − μgt = 5/7 v₀; velocity is exact but in the step where it begins to roll.
+    const double slide = 2 * 1.4 / (7 * 0.2 * 9.81);
+    const double x = 1.4 * slide - 0.2 * 9.81 * slide * slide / 2 + 1 - slide;
+    CHECK(std::abs(state.q[0] - x) < 0.5 * 0.2 * 9.81 * step * step);
+    CHECK(report.dissipated[0].sliding == Approx(0.5 * 0.2 * 1.4 * 1.4 * 2 / 7).epsilon(1e-10));
+    CHECK(std::abs(report.dissipated[0].impact) < 1e-14);
+  }
+}
+
+TEST_CASE("nscd: two balls collide", "[granular]") {
+  BodiesData data = balls::scene(none, 0, 0.5);
+  data.gravity.setZero();
+  add_ball(data, 1, 0.1, {0, 0, 0}).velocity = {2, 0, 0};
+  add_ball(data, 3, 0.1, {1, 0, 0});
+  const BodyLayout layout(data);
+  State state = layout.start();
+  const RunReport report = run_nscd(data, state, 1, options(1e-3), 1);
+  CHECK(state.u[0] == Approx(2 - 1.5 * 2 * 0.75).margin(1e-12));
+  CHECK(state.u[6] == Approx(1.5 * 2 * 0.25).margin(1e-12));
+  CHECK(report.dissipated[0].impact == Approx(0.5 * 0.75 * 4 * (1 - 0.25)).epsilon(1e-12));
+}
+
+TEST_CASE("nscd: the account of energy closes", "[granular]") {
+  BodiesData data = balls::scene(hertz, 0.3, 0.4);
+  add_plane(data, {0, 0, 1}, 0);
+  add_plane(data, {1, 0, 0}, 0);
+  add_plane(data, {-1, 0, 0}, -0.1);
+  add_plane(data, {0, 1, 0}, 0);
+  add_plane(data, {0, -1, 0}, -0.1);
+  for (int i = 0; i < 12; ++i) {
+    const double x = 0.025 + 0.05 * (i % 2), y = 0.025 + 0.05 * (i / 2 % 2);
+    BodyData& ball = add_ball(data, 0.01, 0.02, {x, y + 1e-3 * (i % 3), 0.03 + 0.045 * (i / 4)});
+    ball.spin = {3.0 * i, -20, 40};
+    if (i == 3) ball.drag = {0.02, 1e-6};
+    if (i == 4) ball.inertia = {2e-6, 1.8e-6, 1.2e-6};
+    if (i == 5) ball.rotation = Rotation::driven;
+  }
+  data.loads.push_back({"push", 2, {0.01, 0, 0}, {0, 1e-5, 0}, {{}, {}, 3, 0}});
+  const BodyLayout layout(data);
+  State state = layout.start();
+  const double start = balls::energy(layout, state);
+  NscdCounts counts;
+  const RunReport report = run_nscd(data, state, 1, options(1e-3, 1e-6), 1, {}, &counts);
+  CHECK(report.status == RunStatus::finished);
+  REQUIRE(report.work.size() == 2);
+  const double gained = report.work[0] + report.work[1] + report.dissipated[0].driven;
+  const double expected = start + gained - report.dissipated[0].total();
+  CHECK(balls::energy(layout, state) == Approx(expected).margin(1e-12 * start));
+  CHECK(report.work[0] < 0);
+  CHECK(counts.deepest < 0.02 * 1e-2);
+}
+
+TEST_CASE("nscd: however fast, nothing passes through a wall or another ball", "[granular]") {
+  for (const double speed : {1e2, 1e4, 1e6}) {
+    BodiesData data = balls::scene(coulomb, 0.3, 0);
+    data.gravity.setZero();
+    add_plane(data, {-1, 0, 0}, -1);
+    add_ball(data, 1, 0.01, {0, 0, 0}).velocity = {speed, 0, 0};
+    add_ball(data, 1, 0.01, {0.5, 0.001, 0});
+    add_ball(data, 0.5, 0.01, {0.7, 0, 0});
+    const BodyLayout layout(data);
+    State state = layout.start();
+    NscdCounts counts;
+    const RunReport report = run_nscd(data, state, 0.01, options(1e-3), 1, {}, &counts);
+    CHECK(report.status == RunStatus::finished);
+    CHECK(state.q[14] <= 0.99 + 1e-9);
+    CHECK(counts.deepest < 1e-9);
+  }
+}
+
+TEST_CASE("nscd: starts that make no sense are refused", "[granular]") {
+  BodiesData data = balls::scene(coulomb, 0.3, 0);
+  add_ball(data, 1, 0.01, {0, 0, 0});
+  add_ball(data, 1, 0.01, {0, 0, 0});
+  const BodyLayout layout(data);
+  State state = layout.start();
+  CHECK_THROWS_AS(run_nscd(data, state, 1, options(1e-3), 1), std::invalid_argument);
+  CHECK_THROWS_AS(run_nscd(data, state, 1, options(1e-3), 0), std::invalid_argument);
+  CHECK_THROWS_AS(run_nscd(data, state, 1, options(0), 1), std::invalid_argument);
+}
