@@ -33,7 +33,7 @@ std::string refusal(const Act& act) {
 
 TEST_CASE("Scene document: values under their dotted names, with their lines", "[scene]") {
   const SceneDocument document = parse_document(
-      "top = 1\n[a]\nx = 0.1\ny = -3 # three\n[a.b]\nword = \"slow\"\nyes = true\nlist = [1, 2]\n"
+      "top = 1\n[a]\nx = 0.1\ny = -3 # three\n[a.b]\nword = \"slow\"\nyes = true\nlist = [1, 2.5]\n"
       "inline = {x = 1e300, y.z = inf}\n[empty]\n",
       "file.toml");
   CHECK(document.values.size() == 9);
@@ -44,7 +44,8 @@ TEST_CASE("Scene document: values under their dotted names, with their lines", "
   CHECK(std::get<std::string>(at(document, "a.b.word").value) == "slow");
   CHECK(at(document, "a.b.word").text == "\"slow\"");
   CHECK(std::get<bool>(at(document, "a.b.yes").value));
-  CHECK(std::holds_alternative<std::monostate>(at(document, "a.b.list").value));
+  CHECK(std::get<std::vector<double>>(at(document, "a.b.list").value) == std::vector<double>{1, 2.5});
+  CHECK(at(document, "a.b.list").text == "[1, 2.5]");
   CHECK(number(document, "a.b.inline.x") == 1e300);
   CHECK(std::isinf(number(document, "a.b.inline.y.z")));
   CHECK(at(document, "a.b.inline.y.z").line == 9);
@@ -58,6 +59,34 @@ TEST_CASE("Scene document: a quoted key is no dotted name", "[scene]") {
   CHECK(!document.values.contains("a.b"));
   CHECK(document.values.contains("a.c"));
   CHECK(document.values.contains("\"\\x0a\""));
+}
+
+TEST_CASE("Scene document: tables and the lines that name them first", "[scene]") {
+  SceneDocument document = parse_document("[a]\nx = 1\n[a.b]\n[c.d]\ny = 2\n[a.e]\nf = {g = 1}\n", "f");
+  using Tables = std::map<std::string, int, std::less<>>;
+  CHECK(document.tables == Tables{{"a", 1}, {"a.b", 3}, {"a.e", 6}, {"a.e.f", 7}, {"c", 4}, {"c.d", 4}});
+  unset_value(document, "a.e.f.g");
+  CHECK(document.tables.contains("a.e.f"));  // a table that has lost its last key is still there
+  set_value(document, "c={h={i=1}}");
+  CHECK(document.tables.at("c") == 0);
+  CHECK(document.tables.at("c.h") == 0);
+  CHECK(!document.tables.contains("c.d"));
+}
+
+TEST_CASE("Scene document: arrays of numbers and of strings", "[scene]") {
+  const SceneDocument document = parse_document(
+      "n = [1, -2.5, inf]\ns = [\"a\", \"b\"]\nempty = []\nmixed = [1, \"a\"]\ndeep = [[1]]\n"
+      "truths = [true]\nlong = [1, 2, 3, 4, 5, 6, 7, 8]\n",
+      "f");
+  const auto& numbers = std::get<std::vector<double>>(at(document, "n").value);
+  CHECK((numbers.size() == 3 && numbers[1] == -2.5 && std::isinf(numbers[2])));
+  CHECK(std::get<std::vector<std::string>>(at(document, "s").value) == std::vector<std::string>{"a", "b"});
+  CHECK(at(document, "s").text == "[\"a\", \"b\"]");
+  CHECK(std::get<std::vector<double>>(at(document, "empty").value).empty());
+  for (const char* key : {"mixed", "deep", "truths"})
+    CHECK(std::holds_alternative<std::monostate>(at(document, key).value));
+  CHECK(std::get<std::vector<double>>(at(document, "long").value).size() == 8);
+  CHECK(at(document, "long").text == "[1, 2, 3, 4, 5, 6, ...]");
 }
 
 TEST_CASE("Scene document: numbers are read to the last bit", "[scene]") {
@@ -90,6 +119,12 @@ TEST_CASE("Scene document: --set puts a value in the place of another", "[scene]
   CHECK(std::get<std::string>(at(document, "a.x").value) == "1 # one");
   set_value(document, "a.x=1] #");
   CHECK(std::get<std::string>(at(document, "a.x").value) == "1] #");
+
+  set_value(document, "a.x=[0, 0.5, 1]");
+  CHECK(std::get<std::vector<double>>(at(document, "a.x").value) == std::vector<double>{0, 0.5, 1});
+  CHECK(at(document, "a.x").text == "[0, 0.5, 1]");
+  set_value(document, "a.x=['p', 'q']");
+  CHECK(std::get<std::vector<std::string>>(at(document, "a.x").value).size() == 2);
 
   set_value(document, "new.key=7");
   CHECK(number(document, "new.key") == 7);

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <utility>
 
+#include "contensou/scene/between.hpp"
+
 namespace contensou {
 namespace {
 
@@ -178,12 +180,11 @@ bool has_body_column(const BodiesScene& scene, bool nscd, const std::string& col
   if (whole_value(column)) return !(nscd && column == "contacts");
   const ContactColumn* kind = contact_column(column);
   if (nscd || kind == nullptr) return false;
-  // A contact of several pairs is several contacts, numbered, when the system is made: compose() looks
-  // closer.
   const std::string contact = column.substr(std::string_view(kind->prefix).size());
-  return std::any_of(scene.contacts.begin(), scene.contacts.end(), [&](const ContactScene& c) {
+  const std::vector<PairName> pairs = pair_names(scene);
+  return std::any_of(pairs.begin(), pairs.end(), [&](const PairName& pair) {
     const int needed = !kind->needs_rows ? 1 : kind->prefix == std::string_view("slip_") ? 3 : 4;
-    return c.rows() >= needed && (c.name == contact || contact.starts_with(c.name + '_'));
+    return pair.name == contact && scene.contacts[pair.rule].rows() >= needed;
   });
 }
 

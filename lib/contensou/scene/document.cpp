@@ -73,6 +73,35 @@ bool is_bare(std::string_view key) {
   });
 }
 
+/// All entries as numbers, or as strings; none where they are neither, or both.
+std::optional<std::vector<double>> numbers(const toml::array& array) {
+  std::vector<double> values;
+  for (const toml::node& node : array) {
+    const std::optional<double> number = node.is_number() ? node.value<double>() : std::nullopt;
+    if (!number) return {};
+    values.push_back(*number);
+  }
+  return values;
+}
+std::optional<std::vector<std::string>> strings(const toml::array& array) {
+  std::vector<std::string> values;
+  for (const toml::node& node : array) {
+    if (!node.is_string()) return {};
+    values.push_back(node.as_string()->get());
+  }
+  return values;
+}
+
+/// An array as a message shows it, its first entries where it is long.
+template <class Value, class Text>
+std::string listed(const std::vector<Value>& values, const Text& text) {
+  constexpr std::size_t most = 6;
+  std::string shown = "[";
+  for (std::size_t i = 0; i < std::min(most, values.size()); ++i)
+    shown += (i == 0 ? "" : ", ") + text(values[i]);
+  return shown + (values.size() > most ? ", ...]" : "]");
+}
+
 /// The value as plain data; tables with something in them are the caller's.
 SceneValue plain(const toml::node& node, int line) {
   if (const auto* text = node.as_string()) return {text->get(), in_quotes(text->get()), line};
@@ -80,6 +109,16 @@ SceneValue plain(const toml::node& node, int line) {
   if (const auto* truth = node.as_boolean()) return {truth->get(), truth->get() ? "true" : "false", line};
   if (const auto* whole = node.as_integer())
     return {static_cast<double>(whole->get()), std::to_string(whole->get()), line};
+  if (const auto* array = node.as_array()) {
+    if (auto values = numbers(*array)) {
+      const std::string text = listed(*values, [](double x) { return to_text(x); });
+      return {std::move(*values), text, line};
+    }
+    if (auto values = strings(*array)) {
+      const std::string text = listed(*values, [](const std::string& x) { return in_quotes(x); });
+      return {std::move(*values), text, line};
+    }
+  }
   std::ostringstream text;
   node.visit([&](const auto& kind) { text << kind; });
   return {std::monostate(), shortened(text.str()), line};
@@ -92,6 +131,7 @@ void flatten(const toml::table& table, const std::string& prefix, int level, boo
     const std::string name = prefix + (is_bare(key.str()) ? std::string(key.str()) : in_quotes(key.str()));
     const int line = with_lines ? static_cast<int>(key.source().begin.line) : 0;
     const toml::table* inner = node.as_table();
+    if (inner != nullptr) document.tables.emplace(name, line);
     if (inner == nullptr || inner->empty()) {
       document.values[name] = plain(node, line);
     } else if (level < most_levels) {
@@ -104,12 +144,14 @@ void flatten(const toml::table& table, const std::string& prefix, int level, boo
   }
 }
 
-/// A key and all keys below it.
+/// A key and all keys below it; how many of them had values.
 std::size_t erase(SceneDocument& document, std::string_view key) {
   const std::string below = std::string(key) + '.';
-  return std::erase_if(document.values, [&](const auto& entry) {
+  const auto is_of_key = [&](const auto& entry) {
     return entry.first == key || entry.first.starts_with(below);
-  });
+  };
+  std::erase_if(document.tables, is_of_key);
+  return std::erase_if(document.values, is_of_key);
 }
 
 void require_dotted_name(std::string_view key, std::string_view option) {
@@ -140,7 +182,7 @@ std::optional<toml::table> as_toml(const std::string& text) {
 }  // namespace
 
 SceneDocument parse_document(std::string_view text, std::string_view name) {
-  SceneDocument document{printable(name), {}};
+  SceneDocument document{printable(name), {}, {}};
   require_short_keys(text, document.file);
   try {
     flatten(toml::parse(text), "", 1, true, document);
@@ -178,6 +220,7 @@ void set_value(SceneDocument& document, std::string_view assignment) {
     throw SceneError("--set " + key + ": " + in_quotes(text) + " is begun like a TOML value and is none");
   erase(document, key);
   const toml::node* node = parsed ? parsed->get("value") : nullptr;
+  if (node != nullptr && node->is_table()) document.tables[key] = 0;
   if (node == nullptr) {
     document.values[key] = {text, in_quotes(text)};
   } else if (const toml::table* table = node->as_table(); table != nullptr && !table->empty()) {

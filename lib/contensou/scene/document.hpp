@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 namespace contensou {
 
@@ -17,9 +18,10 @@ struct SceneError : std::invalid_argument {
 
 /// One value of a scene, and where it came from.
 struct SceneValue {
-  /// A TOML number (whole or not, also inf and nan), boolean or string; nothing for what no key of a scene
-  /// takes: arrays, dates, empty tables.
-  std::variant<std::monostate, double, bool, std::string> value;
+  /// A TOML number (whole or not, also inf and nan), boolean, string, array of numbers (also an empty one) or
+  /// of strings; nothing for what no key of a scene takes: other arrays, dates, empty tables.
+  std::variant<std::monostate, double, bool, std::string, std::vector<double>, std::vector<std::string>>
+      value;
   std::string text;  ///< the value as a message shows it
   int line = 0;      ///< of the file; 0: from `--set`
 };
@@ -30,6 +32,8 @@ struct SceneDocument {
   using Values = std::map<std::string, SceneValue, std::less<>>;
   std::string file;  ///< as messages name it
   Values values;
+  /// Tables by their dotted names, also empty ones: the line where each is first named; 0: from `--set`.
+  std::map<std::string, int, std::less<>> tables;
 };
 
 /// Reads TOML 1.0; `file` is what messages call it. Throws SceneError, "FILE:LINE: ...", for what is not

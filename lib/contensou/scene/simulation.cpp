@@ -38,11 +38,21 @@ Simulation compose_tippe_top(const Scene& scene, const TippeTopScene& data) {
   return simulation;
 }
 
+/// Where the radius follows the load: rows and scales are written in the one under the weight, or under 1 N
+/// where there is none.
+void set_load_radius(SystemContact& contact, double relative_radius, double weight) {
+  if (!contact.load_radius) return;
+  contact.load_radius->relative_radius = relative_radius;
+  contact.radius = contact.load_radius->at(weight > 0 ? weight : 1);
+}
+
 }  // namespace
 
 std::unique_ptr<const TippeTopModel> make_tippe_top(const TippeTopScene& scene) {
-  const std::array<SystemContact, 2> contacts{make_contact(scene.contacts[0]),
-                                              make_contact(scene.contacts[1])};
+  std::array<SystemContact, 2> contacts{make_contact(scene.contacts[0]), make_contact(scene.contacts[1])};
+  const double weight = scene.data.m * scene.data.g;
+  set_load_radius(contacts[0], scene.data.r1, weight);
+  set_load_radius(contacts[1], scene.data.r2, weight);
   if (scene.formulation == TippeTopScene::Formulation::euler)
     return std::make_unique<TippeTopEuler>(scene.data, contacts);
   return std::make_unique<TippeTopAxis>(scene.data, contacts);
