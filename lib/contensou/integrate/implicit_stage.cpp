@@ -31,6 +31,10 @@ ImplicitStage::ImplicitStage(const MechanicalSystem& system, const IntegratorOpt
       u_before_(system.velocities()),
       u_change_(system.velocities()) {
   system.coordinate_scales(scale_);
+  if (!options.fidelity) return;
+  fidelity_ = *options.fidelity;
+  for (const SystemContact& contact : system.contacts()) limits_.emplace_back(contact.friction, fidelity_);
+  full_rows_ = ContactRows(system.velocities());
 }
 
 void ImplicitStage::choose(const std::vector<std::size_t>& contacts) {
@@ -41,6 +45,20 @@ void ImplicitStage::choose(const std::vector<std::size_t>& contacts) {
 }
 
 ImplicitStage::Outcome ImplicitStage::solve(const Base& base, Eigen::VectorXd& q, Eigen::VectorXd& u) {
+  if (limits_.empty()) return iterate(base, q, u);
+  const bool points = find_points(base, u);
+  take_for_points();
+  if (!points) return iterate(base, q, u);
+  u_guess_ = u;
+  const Outcome outcome = iterate(base, q, u);
+  if (outcome == Outcome::solved && points_hold(base, q, u)) return outcome;
+  std::fill(points_.begin(), points_.end(), char{0});
+  take_for_points();
+  u = u_guess_;
+  return iterate(base, q, u);
+}
+
+ImplicitStage::Outcome ImplicitStage::iterate(const Base& base, Eigen::VectorXd& q, Eigen::VectorXd& u) {
   const auto& chosen = contacts_.chosen();
   for (std::size_t k = 0; k < chosen.size(); ++k)
     impulse_.segment(contacts_.row(k), contacts_.rows(k)) =
@@ -85,6 +103,51 @@ ImplicitStage::Outcome ImplicitStage::impact(double t, const Eigen::VectorXd& q,
   contacts_.velocity(u, gamma_);
   report_.worst_residual = std::max(report_.worst_residual, residual_);
   return outcome;
+}
+
+void ImplicitStage::take_for_points() {
+  contacts_.take_for_points(points_);
+  impulse_.resize(contacts_.rows());
+  gamma_.resize(contacts_.rows());
+}
+
+/// ‖γ_T‖ and |γ_τ| of a contact with all its rows, of which the last may be written in another radius.
+Eigen::Vector2d ImplicitStage::slip_of(std::size_t contact, double t, const Eigen::VectorXd& q,
+                                       const Eigen::VectorXd& u, double lambda_n) {
+  system_.contact_rows(contact, t, q, u, full_rows_);
+  const SystemContact& c = system_.contacts()[contact];
+  const double factor = follows_load(c) ? c.load_radius->at(lambda_n) / c.radius : 1;
+  return {std::hypot(full_rows_.velocity[1], full_rows_.velocity[2]),
+          std::abs(full_rows_.velocity[3]) * factor};
+}
+
+/// Whether there are any.
+bool ImplicitStage::find_points(const Base& base, const Eigen::VectorXd& u) {
+  constexpr double margin = 1.25;
+  const auto& chosen = contacts_.chosen();
+  points_.assign(chosen.size(), 0);
+  left_out_.assign(chosen.size(), 0);
+  for (std::size_t k = 0; k < chosen.size(); ++k) {
+    const std::size_t i = chosen[k];
+    const double least = limits_[i].slip_ratio();
+    if (std::isinf(least)) continue;
+    const Eigen::Vector2d slip = slip_of(i, base.t, base.q, u, force_[i][0]);
+    points_[k] = slip[0] > 0 && slip[0] >= margin * least * slip[1];
+  }
+  return std::any_of(points_.begin(), points_.end(), [](char point) { return point != 0; });
+}
+
+bool ImplicitStage::points_hold(const Base& base, const Eigen::VectorXd& q, const Eigen::VectorXd& u) {
+  for (std::size_t k = 0; k < points_.size(); ++k) {
+    const double normal = impulse_[contacts_.row(k)];
+    if (!contacts_.is_point(k) || !(normal > 0)) continue;
+    const std::size_t i = contacts_.chosen()[k];
+    const Eigen::Vector2d slip = slip_of(i, base.t, q, u, normal / base.w);
+    if (!(slip[0] > uncertain_)) return false;
+    left_out_[k] = limits_[i].error(slip[0], slip[1]);
+    if (!(left_out_[k] <= fidelity_)) return false;
+  }
+  return true;
 }
 
 /// Radii of the loads that Λ says.

@@ -57,6 +57,7 @@ void require_valid(const IntegratorOptions& options) {
     require_positive("tolerance", options.tolerance);
   require_positive("solver_tolerance", options.solver_tolerance);
   if (options.r) require_positive("r", *options.r);
+  if (options.fidelity) require_positive("fidelity", *options.fidelity);
   if (!(options.output_interval > 0)) reject("output_interval", options.output_interval, "a number > 0");
 }
 

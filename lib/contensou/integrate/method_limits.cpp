@@ -21,6 +21,10 @@ bool steps_in_time(Method method) {
 
 void require_possible(const MechanicalSystem& system, const IntegratorOptions& options) {
   if (steps_in_time(options.method)) return;
+  if (options.fidelity) {
+    throw std::invalid_argument(std::string("integrator: fidelity with method ") + name(options.method) +
+                                ", expected moreau, moreau_implicit, moreau_adaptive or nscd");
+  }
   for (const SystemContact& contact : system.contacts()) {
     if (std::holds_alternative<FrictionCylinder>(contact.friction)) {
       refuse(contact, "uncoupled sliding and drilling friction", options.method,

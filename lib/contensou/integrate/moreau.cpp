@@ -22,7 +22,7 @@ RunReport run(MoreauStep::Kind kind, const MechanicalSystem& system, State& stat
       return end_run(report, RunStatus::step_limit, state.t, "as many steps as allowed");
     const MoreauStep::Outcome outcome = step.attempt(state.t, now, steps.step());
     if (outcome != MoreauStep::Outcome::solved) return end_run(report, outcome, state.t);
-    add_energy(step, report);
+    step.accounts().add_to(report);
     recorder.accept(state.t, steps.time(k), step.end().modes, interpolate,
                     step.time_of_events(state.t, steps.time(k)), step.bounced());
     now = step.end();

@@ -56,7 +56,7 @@ class ErrorNorm {
   double of_impacts(const MoreauStep& first, const MoreauStep& second, const MoreauStep& whole) const {
     const auto taken = [](const MoreauStep& step) {
       double energy = 0;
-      for (const Dissipation& d : step.dissipated()) energy += d.impact;
+      for (const Dissipation& d : step.accounts().dissipated()) energy += d.impact;
       return energy;
     };
     const double difference = std::abs(taken(first) + taken(second) - taken(whole));
@@ -112,7 +112,7 @@ RunReport run_moreau_adaptive(const MechanicalSystem& system, State& state, doub
   double dt = options.step;
 
   const auto keep = [&](double from, double to, const MoreauStep& half) {
-    add_energy(half, report);
+    half.accounts().add_to(report);
     recorder.accept(
         from, to, half.end().modes,
         [&half](double theta, Eigen::VectorXd& q, Eigen::VectorXd& u) { half.interpolate(theta, q, u); },

@@ -29,10 +29,7 @@ MoreauStep::MoreauStep(const MechanicalSystem& system, const IntegratorOptions& 
     : system_(system),
       kind_(kind),
       stage_(system, options, report),
-      dissipated_(system.contacts().size()),
-      drives_(system.driven()),
-      work_(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(system.works().size()))),
-      power_(work_),
+      accounts_(system),
       contact_(system.velocities()),
       acceleration_(Eigen::VectorXd::Zero(system.velocities())),
       first_acceleration_(system.velocities()),
@@ -72,18 +69,18 @@ MoreauStep::Outcome MoreauStep::fly(double t, const ContactState& start, double 
     if (start.modes[i] != ContactMode::open) closed_.push_back(i);
   }
   stage_.choose(closed_);
-  forget_energy();
+  accounts_.clear();
   if (kind_ == Kind::second_order) {
     const Outcome outcome = second_order(t, start, dt);
     if (outcome != Outcome::solved || smooth_) return outcome;
-    forget_energy();
+    accounts_.clear();
   }
   const Outcome outcome = euler(t, start, dt);
   if (outcome != Outcome::solved) return outcome;
   acceleration_ = (end_.u - start.u) / dt;
   jerk_.setZero();
-  add_impulses(start.u, false);
-  add_work(t + dt, dt, end_.q, start.u, end_.u);
+  accounts_.add_impulses(stage_, start.u, false);
+  accounts_.add_work(t + dt, dt, end_.q, start.u, end_.u);
   return outcome;
 }
 
@@ -95,8 +92,8 @@ MoreauStep::Outcome MoreauStep::second_order(double t, const ContactState& start
   if (outcome != Outcome::solved) return outcome;
   read_modes();
   smooth_ = end_.modes == start.modes;
-  add_power(carried);
-  add_work(t + w, carried * w, q1_, u1_, u1_);
+  accounts_.add_power(stage_, carried);
+  accounts_.add_work(t + w, carried * w, q1_, u1_, u1_);
 
   q_base_ = start.q + carried * (q1_ - start.q);
   u_base_ = start.u + carried * (u1_ - start.u);
@@ -107,8 +104,8 @@ MoreauStep::Outcome MoreauStep::second_order(double t, const ContactState& start
   if (outcome != Outcome::solved) return outcome;
   read_modes();
   smooth_ = smooth_ && end_.modes == start.modes;
-  add_power(1);
-  add_work(t + dt, w, end_.q, end_.u, end_.u);
+  accounts_.add_power(stage_, 1);
+  accounts_.add_work(t + dt, w, end_.q, end_.u, end_.u);
   acceleration_ = (end_.u - u_base_) / w;
   jerk_ = (acceleration_ - first_acceleration_) / (dt - w);
   return outcome;
@@ -150,7 +147,7 @@ MoreauStep::Outcome MoreauStep::land(double t, const ContactState& start, double
     if (outcome != Outcome::solved) return outcome;
     before_impact_ = end_;
   } else {
-    forget_energy();
+    accounts_.clear();
   }
 
   for (const Landing& landing : landings_) {
@@ -174,7 +171,7 @@ MoreauStep::Outcome MoreauStep::land(double t, const ContactState& start, double
   u_after_impact_ = before_impact_.u;
   Outcome outcome = stage_.impact(t_impact, before_impact_.q, u_after_impact_);
   if (outcome != Outcome::solved) return outcome;
-  add_impulses(before_impact_.u, true);
+  accounts_.add_impulses(stage_, before_impact_.u, true);
   for (const Landing& landing : landings_) {
     const auto k = std::find(closed_.begin(), closed_.end(), landing.contact) - closed_.begin();
     if (stage_.impulse()[stage_.contacts().row(static_cast<std::size_t>(k))] > 0)
@@ -194,8 +191,8 @@ MoreauStep::Outcome MoreauStep::land(double t, const ContactState& start, double
     end_.u += rest * acceleration_;
     outcome = stage_.solve({t + dt, rest, before_impact_.q, u_after_impact_}, end_.q, end_.u);
     if (outcome != Outcome::solved) return outcome;
-    add_impulses(u_after_impact_, true);
-    add_work(t + dt, rest, end_.q, u_after_impact_, end_.u);
+    accounts_.add_impulses(stage_, u_after_impact_, true);
+    accounts_.add_work(t + dt, rest, end_.q, u_after_impact_, end_.u);
   }
   read_modes();
   smooth_ = false;
@@ -213,63 +210,6 @@ double MoreauStep::normal_velocity(std::size_t contact, double t, const Eigen::V
                                    const Eigen::VectorXd& u) {
   system_.contact_rows(contact, t, q, u, contact_);
   return contact_.velocity[0];
-}
-
-/// −weight Λ·γ of the stage.
-void MoreauStep::add_power(double weight) {
-  for (std::size_t k = 0; k < closed_.size(); ++k) {
-    const Eigen::Index first = stage_.contacts().row(k);
-    const Eigen::Index n = stage_.contacts().rows(k);
-    const auto power = [&](Eigen::Index row) {
-      return -weight * stage_.impulse()[first + row] * stage_.gamma()[first + row];
-    };
-    if (n > 1) dissipated_[closed_[k]].sliding += power(1) + power(2);
-    if (n > 3) dissipated_[closed_[k]].drilling += power(3);
-    if (drives_) add_driven(k, weight);
-  }
-}
-
-/// −Λ·½(γ_start + γ): by rows, or, with a landing, all as impact.
-void MoreauStep::add_impulses(const Eigen::VectorXd& u_start, bool landing) {
-  gamma_start_.resize(stage_.contacts().rows());
-  stage_.contacts().velocity(u_start, gamma_start_);
-  for (std::size_t k = 0; k < closed_.size(); ++k) {
-    const Eigen::Index first = stage_.contacts().row(k);
-    const Eigen::Index n = stage_.contacts().rows(k);
-    const auto work = [&](Eigen::Index row) {
-      return -stage_.impulse()[first + row] * (gamma_start_[first + row] + stage_.gamma()[first + row]) / 2;
-    };
-    Dissipation& d = dissipated_[closed_[k]];
-    if (landing) {
-      for (Eigen::Index row = 0; row < n; ++row) d.impact += work(row);
-    } else {
-      if (n > 1) d.sliding += work(1) + work(2);
-      if (n > 3) d.drilling += work(3);
-    }
-    if (drives_) add_driven(k, 1);
-  }
-}
-
-/// −weight Λ·w̃ of the stage.
-void MoreauStep::add_driven(std::size_t k, double weight) {
-  const Eigen::Index first = stage_.contacts().row(k);
-  const Eigen::Index n = stage_.contacts().rows(k);
-  dissipated_[closed_[k]].driven -=
-      weight * stage_.impulse().segment(first, n).dot(stage_.contacts().drive().segment(first, n));
-}
-
-/// What works() did in a stage at (t, q) over `dt`, of which u went from `u0` to `u1`.
-void MoreauStep::add_work(double t, double dt, const Eigen::VectorXd& q, const Eigen::VectorXd& u0,
-                          const Eigen::VectorXd& u1) {
-  if (work_.size() == 0) return;
-  u_mean_ = (u0 + u1) / 2;
-  system_.powers(t, q, u_mean_, power_);
-  work_ += dt * power_;
-}
-
-void MoreauStep::forget_energy() {
-  std::fill(dissipated_.begin(), dissipated_.end(), Dissipation{});
-  work_.setZero();
 }
 
 /// q of the end restored, and onto g_N = 0 of all closed contacts by changes along M⁻¹w_N.
@@ -308,17 +248,6 @@ void MoreauStep::interpolate(double theta, Eigen::VectorXd& q, Eigen::VectorXd& 
   const double back = 1 - theta;
   q = (1 + 2 * theta) * back * back * q_start_ + (1 + 2 * back) * theta * theta * end_.q +
       dt_ * theta * back * (back * rates_start_ - theta * rates_end_);
-}
-
-void add_energy(const MoreauStep& step, RunReport& run) {
-  for (std::size_t i = 0; i < run.dissipated.size(); ++i) {
-    const Dissipation& taken = step.dissipated()[i];
-    run.dissipated[i].sliding += taken.sliding;
-    run.dissipated[i].drilling += taken.drilling;
-    run.dissipated[i].impact += taken.impact;
-    run.dissipated[i].driven += taken.driven;
-  }
-  for (std::size_t i = 0; i < run.work.size(); ++i) run.work[i] += step.work()[static_cast<Eigen::Index>(i)];
 }
 
 RunReport& end_run(RunReport& report, MoreauStep::Outcome outcome, double t) {

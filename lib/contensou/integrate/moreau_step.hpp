@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "contensou/integrate/implicit_stage.hpp"
+#include "contensou/integrate/step_accounts.hpp"
 
 namespace contensou {
 
@@ -33,9 +34,7 @@ class MoreauStep {
   const ContactState& end() const { return end_; }
   /// Whether contacts stayed what they were.
   bool smooth() const { return smooth_; }
-  const std::vector<Dissipation>& dissipated() const { return dissipated_; }
-  /// By the system's works() [J].
-  const Eigen::VectorXd& work() const { return work_; }
+  const StepAccounts& accounts() const { return accounts_; }
   /// Whether a contact that an impact would have left open, or left bouncing with its ε_N, was kept closed:
   /// the step is too long to see it.
   bool suppressed() const { return suppressed_; }
@@ -61,12 +60,6 @@ class MoreauStep {
   void read_modes();
   double normal_velocity(std::size_t contact, double t, const Eigen::VectorXd& q, const Eigen::VectorXd& u);
   Outcome fly(double t, const ContactState& start, double dt);
-  void forget_energy();
-  void add_power(double weight);
-  void add_impulses(const Eigen::VectorXd& u_start, bool landing);
-  void add_driven(std::size_t k, double weight);
-  void add_work(double t, double dt, const Eigen::VectorXd& q, const Eigen::VectorXd& u0,
-                const Eigen::VectorXd& u1);
   void close_gaps(double t);
 
   const MechanicalSystem& system_;
@@ -75,9 +68,7 @@ class MoreauStep {
   std::vector<std::size_t> closed_;
   std::vector<Landing> landings_;
   ContactState end_;
-  std::vector<Dissipation> dissipated_;
-  bool drives_;  ///< system.driven()
-  Eigen::VectorXd work_, power_, u_mean_;
+  StepAccounts accounts_;
   bool smooth_ = true;
   bool suppressed_ = false;
   std::vector<std::size_t> bounced_;
@@ -89,13 +80,11 @@ class MoreauStep {
   ContactRows contact_;
   // Guesses: of the last stage and the one before, and the change of one into the other.
   Eigen::VectorXd acceleration_, first_acceleration_, jerk_;
-  Eigen::VectorXd q1_, u1_, q_base_, u_base_, gamma_start_, rates_;
+  Eigen::VectorXd q1_, u1_, q_base_, u_base_, rates_;
   Eigen::VectorXd q_start_, u_start_, rates_start_, rates_end_;
   double dt_ = 0;
 };
 
-/// Adds what a step dissipated, and the work done in it, to what the run did.
-void add_energy(const MoreauStep& step, RunReport& run);
 /// Ends a run whose step was not solved.
 RunReport& end_run(RunReport& report, MoreauStep::Outcome outcome, double t);
 

@@ -77,7 +77,7 @@ struct Dissipation {
   double total() const { return sliding + drilling + impact; }
 };
 
-/// What the option `fidelity` made a method leave out.
+/// What the option `fidelity` made a method leave out, in the steps it kept.
 struct LeftOut {
   std::int64_t as_coulomb = 0;  ///< contacts with drilling friction solved without, each time they were
   double friction = 0;          ///< the largest error that made in friction, as a part of μΛ_N: <= fidelity
@@ -117,8 +117,9 @@ struct IntegratorOptions {
   std::optional<double> r = {};     ///< printed schemes: the r of (4.16) [kg]; not given: see printed.hpp
   double output_interval = std::numeric_limits<double>::infinity();  ///< [s]; infinite: only start and end
   std::int64_t max_steps = std::numeric_limits<std::int64_t>::max();
-  /// Time-stepping: a contact whose drilling friction is this small a part of μΛ_N, and changes its sliding
-  /// friction by no more, may be solved as a point contact. Not given: none is.
+  /// Time-stepping (moreau, moreau_implicit, moreau_adaptive, nscd): a contact whose drilling friction is
+  /// this small a part of μΛ_N, and changes its sliding friction by no more, may be solved as a point contact
+  /// (implicit_stage.hpp). > 0. Not given: none is.
   std::optional<double> fidelity = {};
 };
 

@@ -1,6 +1,16 @@
 #include "contensou/integrate/step_contacts.hpp"
 
+#include <algorithm>
+
 namespace contensou {
+namespace {
+
+const AnyFriction& point_friction() {
+  static const AnyFriction friction{FrictionDisk{}};
+  return friction;
+}
+
+}  // namespace
 
 StepContacts::StepContacts(const MechanicalSystem& system)
     : system_(system), contact_(system.velocities()), at_rest_(Eigen::VectorXd::Zero(system.velocities())) {
@@ -9,17 +19,30 @@ StepContacts::StepContacts(const MechanicalSystem& system)
 }
 
 void StepContacts::choose(const std::vector<std::size_t>& contacts) {
-  if (contacts == chosen_) return;
+  const bool points = std::any_of(points_.begin(), points_.end(), [](char point) { return point != 0; });
+  if (contacts == chosen_ && !points) return;
   chosen_ = contacts;
+  points_.assign(chosen_.size(), 0);
+  lay_out();
+}
+
+void StepContacts::take_for_points(const std::vector<char>& points) {
+  if (points == points_) return;
+  points_ = points;
+  lay_out();
+}
+
+void StepContacts::lay_out() {
   first_row_.assign(1, 0);
   problem_.groups.clear();
   load_dependent_.clear();
   radius_.assign(chosen_.size(), 0);
-  for (const std::size_t i : chosen_) {
-    const SystemContact& contact = system_.contacts()[i];
-    if (follows_load(contact)) load_dependent_.push_back(problem_.groups.size());
-    first_row_.push_back(first_row_.back() + contensou::rows(contact.friction));
-    problem_.groups.push_back({&contact.friction, {contact.mu}});
+  for (std::size_t k = 0; k < chosen_.size(); ++k) {
+    const SystemContact& contact = system_.contacts()[chosen_[k]];
+    const AnyFriction& friction = is_point(k) ? point_friction() : contact.friction;
+    if (follows_load(contact) && !is_point(k)) load_dependent_.push_back(k);
+    first_row_.push_back(first_row_.back() + contensou::rows(friction));
+    problem_.groups.push_back({&friction, {contact.mu}});
   }
   directions_.resize(system_.velocities(), rows());
   response_.resize(system_.velocities(), rows());

@@ -14,8 +14,13 @@ class StepContacts {
  public:
   explicit StepContacts(const MechanicalSystem& system);
 
-  /// Chooses contacts, indices ascending. Allocates only where they are others than before.
+  /// Chooses contacts, indices ascending, with all their rows. Allocates only where they are others than
+  /// before.
   void choose(const std::vector<std::size_t>& contacts);
+  /// Which of the chosen contacts, by k, are taken for point contacts: FrictionDisk and no drilling row. May
+  /// allocate where these are others than before.
+  void take_for_points(const std::vector<char>& points);
+  bool is_point(std::size_t k) const { return points_[k] != 0; }
   const std::vector<std::size_t>& chosen() const { return chosen_; }
   bool empty() const { return chosen_.empty(); }
 
@@ -44,8 +49,11 @@ class StepContacts {
   ContactProblem& problem() { return problem_; }
 
  private:
+  void lay_out();
+
   const MechanicalSystem& system_;
   std::vector<std::size_t> chosen_;
+  std::vector<char> points_;
   std::vector<Eigen::Index> first_row_{0};
   std::vector<std::size_t> load_dependent_;
   std::vector<double> radius_;  ///< of each chosen contact; used where it depends on the load
