@@ -40,6 +40,16 @@ TEST_CASE("Method limits: a radius that follows the load", "[integrate][method_l
   CHECK(refusal(Slab(floor), {.method = Method::event_driven}).empty());
 }
 
+TEST_CASE("Method limits: fidelity", "[integrate][method_limits]") {
+  const Slab slab({"floor", FrictionBall(SmoothPlate(HertzLaw{})), 0.3, 0.5, 0});
+  for (const Method method : in_time) CHECK(refusal(slab, {.method = method, .fidelity = 0.1}).empty());
+  for (const Method method : others) {
+    CHECK(refusal(slab, {.method = method, .fidelity = 0.1}) ==
+          std::string("integrator: fidelity with method ") + name(method) +
+              ", expected moreau, moreau_implicit, moreau_adaptive or nscd");
+  }
+}
+
 TEST_CASE("Method limits: uncoupled friction has no smooth border", "[integrate][method_limits]") {
   const Slab slab({"floor", FrictionCylinder(0.6), 0.3, 0.5, 0});
   for (const Method method : in_time) CHECK(refusal(slab, {.method = method}).empty());

@@ -29,12 +29,12 @@ ImplicitStage::ImplicitStage(const MechanicalSystem& system, const IntegratorOpt
       free_(system.velocities()),
       rates_(system.coordinates()),
       u_before_(system.velocities()),
-      u_change_(system.velocities()) {
+      u_change_(system.velocities()),
+      fidelity_(options.fidelity.value_or(0)),
+      full_rows_(options.fidelity ? system.velocities() : 0) {
   system.coordinate_scales(scale_);
   if (!options.fidelity) return;
-  fidelity_ = *options.fidelity;
   for (const SystemContact& contact : system.contacts()) limits_.emplace_back(contact.friction, fidelity_);
-  full_rows_ = ContactRows(system.velocities());
 }
 
 void ImplicitStage::choose(const std::vector<std::size_t>& contacts) {

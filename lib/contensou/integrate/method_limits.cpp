@@ -7,8 +7,10 @@
 namespace contensou {
 namespace {
 
+/// nscd answers for itself.
 bool steps_in_time(Method method) {
-  return method == Method::moreau || method == Method::moreau_implicit || method == Method::moreau_adaptive;
+  return method == Method::nscd || method == Method::moreau || method == Method::moreau_implicit ||
+         method == Method::moreau_adaptive;
 }
 
 [[noreturn]] void refuse(const SystemContact& contact, const char* what, Method method,
