@@ -101,6 +101,16 @@ contensou::Outcome run_with_progress(contensou::Simulation& simulation, bool qui
   });
 }
 
+/// What a scene asks for and only the method or the system sees that it cannot be is bad input, too.
+contensou::Outcome compose_and_run(const contensou::Scene& scene, bool quiet) {
+  try {
+    contensou::Simulation simulation = compose(scene);
+    return run_with_progress(simulation, quiet);
+  } catch (const std::invalid_argument& error) {
+    throw BadInput(scene.file + ": " + contensou::printable(error.what()));
+  }
+}
+
 /// Holds back the signals that would end the program between two files; they act when this is gone.
 class SignalsHeld {
  public:
@@ -140,8 +150,7 @@ void run(const SimulateOptions& options) {
   const fs::path folder = options.out ? fs::path(*options.out) : fs::path(command.scene).stem();
   require_writable(folder);
 
-  contensou::Simulation simulation = compose(scene);
-  const contensou::Outcome outcome = run_with_progress(simulation, options.quiet);
+  const contensou::Outcome outcome = compose_and_run(scene, options.quiet);
   write(folder, command, scene, outcome);
 
   const contensou::RunReport& report = outcome.report;

@@ -54,12 +54,15 @@ DescribeMotion describe_tippe_top(std::shared_ptr<const TippeTopModel> top,
 }
 
 std::vector<std::string> columns(const Scene& scene) {
-  if (!scene.columns.empty()) return scene.columns;
-  std::vector<std::string> names;
-  if (std::holds_alternative<TippeTopScene>(scene.system)) {
+  std::vector<std::string> names = scene.columns;
+  if (names.empty() && std::holds_alternative<TippeTopScene>(scene.system)) {
     for (const TopColumn& column : top_columns) names.emplace_back(column.name);
-  } else {
+  } else if (names.empty()) {
     names = body_columns(std::get<BodiesScene>(scene.system));
+  }
+  for (const MeasureScene& measure : scene.measures) {
+    if (!measure.column.empty() && std::find(names.begin(), names.end(), measure.column) == names.end())
+      names.push_back(measure.column);
   }
   return names;
 }

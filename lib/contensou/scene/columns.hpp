@@ -13,7 +13,8 @@ namespace contensou {
 /// Appends a row's values of columns to it.
 using DescribeMotion = std::function<void(const Sample&, std::vector<double>&)>;
 
-/// The columns of a scene's trajectory: those it names, else the system's own choice (docs/scenes.md).
+/// The columns of a scene's trajectory: those it names, else the system's own choice (docs/scenes.md); then
+/// what its outcomes look at besides.
 std::vector<std::string> columns(const Scene& scene);
 /// Whether a scene of this system, method and contacts has a column of this name.
 bool has_column(const Scene& scene, const std::string& column);

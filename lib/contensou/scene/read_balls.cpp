@@ -14,11 +14,11 @@ using Eigen::Vector3d;
 /// Of lengths: 0.03/2 - 0.01 is less than 0.005 by rounding.
 constexpr double rounding = 1e-12;
 
-/// The middle of the k-th cell.
+/// The k-th, counted along x, then y, then z.
 Vector3d lattice_point(const BallsScene& balls, int k) {
   const int layer = k / balls.across[0] / balls.across[1];
-  const Vector3d cell(k % balls.across[0], k / balls.across[0] % balls.across[1], layer);
-  return balls.lower + balls.spacing * (cell.array() + 0.5).matrix();
+  const Vector3d steps(k % balls.across[0], k / balls.across[0] % balls.across[1], layer);
+  return balls.lower + balls.spacing * steps;
 }
 
 void read_lattice(SceneReader& read, const std::string& table, double radius, BallsScene& balls) {

@@ -16,7 +16,7 @@ inline constexpr int most_balls = 1'000'000;
 struct BallsScene {
   BodyData ball;  ///< what all have in common; its one sphere
   int count = 0;
-  Eigen::Vector3d lower;  ///< corner of the lattice [m]
+  Eigen::Vector3d lower;  ///< lowest corner of the lattice: centre of the first ball [m]
   double spacing = 0;     ///< [m]
   int across[2] = {1, 1};
   double jitter = 0;  ///< [m]
@@ -25,9 +25,9 @@ struct BallsScene {
 
 BallsScene read_balls(SceneReader& read, const std::string& name);
 
-/// The balls NAME.1, NAME.2, ...: ball k is in the middle of the lattice's k-th cell, cells counted along x,
-/// then y, then z, moved by jitter·(a, b, c) with a, b, c from −1 to 1, three numbers of
-/// std::mt19937_64(seed) each, its upper 53 bits k as 2k/2^53 − 1: the same on every platform.
+/// The balls NAME.1, NAME.2, ...: each at its point of the lattice, points counted along x, then y, then z,
+/// moved by jitter·(a, b, c) with a, b, c from −1 to 1 made of three numbers of std::mt19937_64(seed): their
+/// upper 53 bits k as 2k/2^53 − 1, the same on every platform.
 void append_balls(const BallsScene& balls, std::vector<BodyData>& bodies);
 
 }  // namespace contensou

@@ -1,5 +1,6 @@
 #include "contensou/scene/read_integrator.hpp"
 
+#include <limits>
 #include <stdexcept>
 
 #include "contensou/scene/read_contact.hpp"
@@ -66,7 +67,10 @@ void read_integrator(SceneReader& read, Scene& scene) {
     read.unused("integrator.threads", method);
   }
   if (is_time_stepping(options.method)) {
-    constexpr Range part{.least = 0, .most = 1, .least_too = false, .expected = "a number > 0, at most 1"};
+    constexpr Range part{.least = 0,
+                         .most = 1 - std::numeric_limits<double>::epsilon(),
+                         .least_too = false,
+                         .expected = "a number between 0 and 1"};
     scene.fidelity = read.optional_number("scene.fidelity", part);
     options.fidelity = scene.fidelity;
   } else {
