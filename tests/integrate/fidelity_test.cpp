@@ -56,6 +56,21 @@ TEST_CASE("Coulomb limit: just where the friction left out is the fidelity", "[i
   CHECK(std::isinf(CoulombLimit().slip_ratio()));
 }
 
+TEST_CASE("Coulomb limit: a bound that is near the error", "[integrate][fidelity]") {
+  CoulombLimit limit(system_test::hertz, 0.05);
+  const double least = limit.slip_ratio();
+  for (const double step : {0.97, 1.03, 1.5}) {
+    for (double u = step < 1 ? 40 * least : least; u >= least && u <= 40 * least; u *= step) {
+      CAPTURE(u / least);
+      CHECK(limit.bound(u, 1) >= limit.error(u, 1));
+      CHECK(limit.bound(u, 1) <= 0.05);
+      // η falls like 1/u here, over a tenth.
+      CHECK(limit.bound(u, 1) <= 1.12 * limit.error(u, 1));
+    }
+  }
+  CHECK(limit.bound(1, 0) < 1e-15);
+}
+
 TEST_CASE("Fidelity: the bound of one step, at random states", "[integrate][fidelity]") {
   // Backward Euler is a resolvent of friction, which is monotone: two frictions that differ by ε in the place
   // that one finds lead to velocities that differ by no more.

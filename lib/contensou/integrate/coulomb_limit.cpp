@@ -52,4 +52,15 @@ CoulombLimit::CoulombLimit(const AnyFriction& friction, double fidelity) : Coulo
   slip_ratio_ = std::exp2(high);
 }
 
+double CoulombLimit::bound(double v, double s) {
+  constexpr double farthest = 1.1;
+  constexpr double below = 1.05;
+  const double u = std::min(v / s, std::exp2(largest_exponent));
+  if (!(u >= known_at_ && u <= farthest * known_at_)) {
+    known_at_ = std::max(slip_ratio_, u / below);
+    known_ = error(known_at_, 1);
+  }
+  return known_;
+}
+
 }  // namespace contensou

@@ -19,11 +19,16 @@ class CoulombLimit {
   double slip_ratio() const { return slip_ratio_; }
   /// max(1 − ξ, η) where ‖γ_T‖ = v > 0, |γ_τ| = s >= 0; only where slip_ratio() is finite.
   double error(double v, double s) const { return error_(*friction_, v, s); }
+  /// A bound on it where v/s >= slip_ratio(), no more than the fidelity: the error at a u up to a tenth
+  /// smaller, at which it was asked for last, so that the law is not evaluated for each small change.
+  double bound(double v, double s);
 
  private:
   const AnyFriction* friction_ = nullptr;
   double (*error_)(const AnyFriction&, double v, double s) = nullptr;
   double slip_ratio_;
+  double known_at_ = 0;  ///< u of bound()
+  double known_ = 0;
 };
 
 }  // namespace contensou

@@ -24,20 +24,18 @@ ImplicitStage::ImplicitStage(const MechanicalSystem& system, const IntegratorOpt
       tolerance_(options.solver_tolerance),
       solver_({.method = SolverMethod::automatic, .tolerance = options.solver_tolerance}),
       contacts_(system),
+      points_(system, options),
       scale_(system.coordinates()),
       force_(system.contacts().size(), Eigen::Vector4d::Zero()),
       free_(system.velocities()),
       rates_(system.coordinates()),
       u_before_(system.velocities()),
-      u_change_(system.velocities()),
-      fidelity_(options.fidelity.value_or(0)),
-      full_rows_(options.fidelity ? system.velocities() : 0) {
+      u_change_(system.velocities()) {
   system.coordinate_scales(scale_);
-  if (!options.fidelity) return;
-  for (const SystemContact& contact : system.contacts()) limits_.emplace_back(contact.friction, fidelity_);
 }
 
 void ImplicitStage::choose(const std::vector<std::size_t>& contacts) {
+  if (points_.asked_for() && contacts != contacts_.chosen()) points_.forget(contacts.size());
   contacts_.choose(contacts);
   shift_.setZero(static_cast<Eigen::Index>(contacts.size()));
   impulse_.resize(contacts_.rows());
@@ -45,17 +43,20 @@ void ImplicitStage::choose(const std::vector<std::size_t>& contacts) {
 }
 
 ImplicitStage::Outcome ImplicitStage::solve(const Base& base, Eigen::VectorXd& q, Eigen::VectorXd& u) {
-  if (limits_.empty()) return iterate(base, q, u);
-  const bool points = find_points(base, u);
+  if (!points_.asked_for()) return iterate(base, q, u);
+  const auto holds = [&] { return points_.hold(contacts_, base.w, u, impulse_, gamma_, uncertain_); };
+  points_.find(contacts_, base.t, base.q, u, force_);
   take_for_points();
-  if (!points) return iterate(base, q, u);
   u_guess_ = u;
-  const Outcome outcome = iterate(base, q, u);
-  if (outcome == Outcome::solved && points_hold(base, q, u)) return outcome;
-  std::fill(points_.begin(), points_.end(), char{0});
+  Outcome outcome = iterate(base, q, u);
+  if (outcome == Outcome::solved && holds()) return outcome;
+  if (!points_.any()) return outcome;
+  points_.take_none();
   take_for_points();
   u = u_guess_;
-  return iterate(base, q, u);
+  outcome = iterate(base, q, u);
+  if (outcome == Outcome::solved) holds();
+  return outcome;
 }
 
 ImplicitStage::Outcome ImplicitStage::iterate(const Base& base, Eigen::VectorXd& q, Eigen::VectorXd& u) {
@@ -95,6 +96,10 @@ ImplicitStage::Outcome ImplicitStage::iterate(const Base& base, Eigen::VectorXd&
 }
 
 ImplicitStage::Outcome ImplicitStage::impact(double t, const Eigen::VectorXd& q, Eigen::VectorXd& u) {
+  if (points_.asked_for()) {
+    points_.forget(contacts_.chosen().size());
+    take_for_points();
+  }
   impulse_.setZero();
   if (!contacts_.load_dependent().empty()) follow_impact(t, q, u);
   const Outcome outcome = solve_inclusion(t, q, u);
@@ -106,48 +111,9 @@ ImplicitStage::Outcome ImplicitStage::impact(double t, const Eigen::VectorXd& q,
 }
 
 void ImplicitStage::take_for_points() {
-  contacts_.take_for_points(points_);
+  contacts_.take_for_points(points_.points());
   impulse_.resize(contacts_.rows());
   gamma_.resize(contacts_.rows());
-}
-
-/// ‖γ_T‖ and |γ_τ| of a contact with all its rows, of which the last may be written in another radius.
-Eigen::Vector2d ImplicitStage::slip_of(std::size_t contact, double t, const Eigen::VectorXd& q,
-                                       const Eigen::VectorXd& u, double lambda_n) {
-  system_.contact_rows(contact, t, q, u, full_rows_);
-  const SystemContact& c = system_.contacts()[contact];
-  const double factor = follows_load(c) ? c.load_radius->at(lambda_n) / c.radius : 1;
-  return {std::hypot(full_rows_.velocity[1], full_rows_.velocity[2]),
-          std::abs(full_rows_.velocity[3]) * factor};
-}
-
-/// Whether there are any.
-bool ImplicitStage::find_points(const Base& base, const Eigen::VectorXd& u) {
-  constexpr double margin = 1.25;
-  const auto& chosen = contacts_.chosen();
-  points_.assign(chosen.size(), 0);
-  left_out_.assign(chosen.size(), 0);
-  for (std::size_t k = 0; k < chosen.size(); ++k) {
-    const std::size_t i = chosen[k];
-    const double least = limits_[i].slip_ratio();
-    if (std::isinf(least)) continue;
-    const Eigen::Vector2d slip = slip_of(i, base.t, base.q, u, force_[i][0]);
-    points_[k] = slip[0] > 0 && slip[0] >= margin * least * slip[1];
-  }
-  return std::any_of(points_.begin(), points_.end(), [](char point) { return point != 0; });
-}
-
-bool ImplicitStage::points_hold(const Base& base, const Eigen::VectorXd& q, const Eigen::VectorXd& u) {
-  for (std::size_t k = 0; k < points_.size(); ++k) {
-    const double normal = impulse_[contacts_.row(k)];
-    if (!contacts_.is_point(k) || !(normal > 0)) continue;
-    const std::size_t i = contacts_.chosen()[k];
-    const Eigen::Vector2d slip = slip_of(i, base.t, q, u, normal / base.w);
-    if (!(slip[0] > uncertain_)) return false;
-    left_out_[k] = limits_[i].error(slip[0], slip[1]);
-    if (!(left_out_[k] <= fidelity_)) return false;
-  }
-  return true;
 }
 
 /// Radii of the loads that Λ says.

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "contensou/contact/contact_solver.hpp"
-#include "contensou/integrate/coulomb_limit.hpp"
 #include "contensou/integrate/motion.hpp"
+#include "contensou/integrate/point_contacts.hpp"
 #include "contensou/integrate/step_contacts.hpp"
 
 namespace contensou {
@@ -26,10 +26,9 @@ namespace contensou {
 /// round, and zero in the first round of a contact that has just closed, which is to find its λ_N: another
 /// fixed point, which contracts where the load hardly depends on friction (R goes like its third root).
 ///
-/// With IntegratorOptions::fidelity a contact whose slip ratio at the guess of u is by a quarter larger than
-/// the least one allowed (coulomb_limit.hpp) is taken for a point contact. Where that is not so any longer
-/// for one of them at the (q, u) found, the stage is solved again with all rows. Impacts always have all
-/// rows.
+/// With IntegratorOptions::fidelity contacts with hardly any drilling friction are taken for point contacts
+/// (point_contacts.hpp). Where that does not hold in the (q, u) found, the stage is solved again with all
+/// rows. Impacts always have all rows.
 class ImplicitStage {
  public:
   struct Base {
@@ -63,9 +62,8 @@ class ImplicitStage {
   // Of the last stage solved, rows of contacts() in order:
   const Eigen::VectorXd& impulse() const { return impulse_; }  ///< Λ
   const Eigen::VectorXd& gamma() const { return gamma_; }      ///< γ
-  /// For a contact taken for a point contact, contacts().is_point(k): max(1 − ξ, η) at γ, the part of μΛ_N
-  /// that its friction is wrong by, at most the fidelity; 0 where it is open.
-  double left_out(std::size_t k) const { return left_out_[k]; }
+  /// What contacts taken for point contacts leave out.
+  double left_out(std::size_t k) const { return points_.left_out(k); }
   /// What chosen contact k is: open where it moves off, γ_N > 0; sticking where γ_F is zero. `Zero` is
   /// what the solver leaves uncertain: ten of its tolerances (or of the residual reached) of the problem's
   /// largest velocity.
@@ -74,10 +72,6 @@ class ImplicitStage {
  private:
   Outcome iterate(const Base& base, Eigen::VectorXd& q, Eigen::VectorXd& u);
   void take_for_points();
-  bool find_points(const Base& base, const Eigen::VectorXd& u);
-  bool points_hold(const Base& base, const Eigen::VectorXd& q, const Eigen::VectorXd& u);
-  Eigen::Vector2d slip_of(std::size_t contact, double t, const Eigen::VectorXd& q, const Eigen::VectorXd& u,
-                          double lambda_n);
   Outcome solve_inclusion(double t, const Eigen::VectorXd& q, Eigen::VectorXd& u);
   void follow_loads(double w);
   void follow_impact(double t, const Eigen::VectorXd& q, const Eigen::VectorXd& u);
@@ -89,17 +83,12 @@ class ImplicitStage {
   double tolerance_;
   ContactSolver solver_;
   StepContacts contacts_;
+  PointContacts points_;
   Eigen::VectorXd scale_;  ///< of coordinates
   Eigen::VectorXd shift_;
   std::vector<Eigen::Vector4d> force_;  ///< λ of each contact of the system: guesses
   Eigen::VectorXd impulse_, gamma_;
-  Eigen::VectorXd free_, rates_, q_change_, u_before_, u_change_;
-  std::vector<CoulombLimit> limits_;  ///< of each contact of the system; empty without fidelity
-  double fidelity_ = 0;
-  std::vector<char> points_;
-  std::vector<double> left_out_;
-  ContactRows full_rows_;
-  Eigen::VectorXd u_guess_;
+  Eigen::VectorXd free_, rates_, q_change_, u_before_, u_change_, u_guess_;
   double radii_change_ = 0;  ///< what it does to velocities, in units of the largest
   double last_change_ = 0;
   double residual_ = 0;   ///< of the last inclusion

@@ -1,7 +1,5 @@
 #include "contensou/integrate/step_contacts.hpp"
 
-#include <algorithm>
-
 namespace contensou {
 namespace {
 
@@ -19,8 +17,7 @@ StepContacts::StepContacts(const MechanicalSystem& system)
 }
 
 void StepContacts::choose(const std::vector<std::size_t>& contacts) {
-  const bool points = std::any_of(points_.begin(), points_.end(), [](char point) { return point != 0; });
-  if (contacts == chosen_ && !points) return;
+  if (contacts == chosen_) return;
   chosen_ = contacts;
   points_.assign(chosen_.size(), 0);
   lay_out();
@@ -30,6 +27,8 @@ void StepContacts::take_for_points(const std::vector<char>& points) {
   if (points == points_) return;
   points_ = points;
   lay_out();
+  drilling_directions_.resize(system_.velocities(), static_cast<Eigen::Index>(points_.size()));
+  drilling_drive_.resize(static_cast<Eigen::Index>(points_.size()));
 }
 
 void StepContacts::lay_out() {
@@ -57,6 +56,10 @@ void StepContacts::evaluate(double t, ConstVector q) {
     directions_.middleCols(row(k), rows(k)) = contact_.directions.leftCols(rows(k));
     response_.middleCols(row(k), rows(k)) = contact_.response.leftCols(rows(k));
     drive_.segment(row(k), rows(k)) = contact_.velocity.head(rows(k));
+    if (!is_point(k)) continue;
+    const auto column = static_cast<Eigen::Index>(k);
+    drilling_directions_.col(column) = contact_.directions.col(3);
+    drilling_drive_[column] = contact_.velocity[3];
   }
   for (const std::size_t k : load_dependent_) {
     const double factor = radius_[k] / system_.contacts()[chosen_[k]].radius;
@@ -70,6 +73,11 @@ void StepContacts::evaluate(double t, ConstVector q) {
       problem_.delassus(j, i) = problem_.delassus(i, j);
     }
   }
+}
+
+double StepContacts::drilling_velocity(std::size_t k, ConstVector u) const {
+  const auto column = static_cast<Eigen::Index>(k);
+  return drilling_drive_[column] + drilling_directions_.col(column).dot(u);
 }
 
 void StepContacts::velocity(ConstVector u, VectorRef gamma) const {

@@ -14,13 +14,15 @@ class StepContacts {
  public:
   explicit StepContacts(const MechanicalSystem& system);
 
-  /// Chooses contacts, indices ascending, with all their rows. Allocates only where they are others than
+  /// Chooses contacts, indices ascending, all rows of theirs. Allocates only where they are others than
   /// before.
   void choose(const std::vector<std::size_t>& contacts);
-  /// Which of the chosen contacts, by k, are taken for point contacts: FrictionDisk and no drilling row. May
-  /// allocate where these are others than before.
+  /// Which of the chosen contacts, by k, until others are chosen, are taken for point contacts: FrictionDisk
+  /// and no drilling row. May allocate where these are others than before.
   void take_for_points(const std::vector<char>& points);
   bool is_point(std::size_t k) const { return points_[k] != 0; }
+  /// γ_τ of a contact taken for a point contact, with what was last evaluated, as the system writes it.
+  double drilling_velocity(std::size_t k, ConstVector u) const;
   const std::vector<std::size_t>& chosen() const { return chosen_; }
   bool empty() const { return chosen_.empty(); }
 
@@ -58,7 +60,9 @@ class StepContacts {
   std::vector<std::size_t> load_dependent_;
   std::vector<double> radius_;  ///< of each chosen contact; used where it depends on the load
   ContactRows contact_;
-  Eigen::VectorXd at_rest_;  ///< u = 0
+  Eigen::MatrixXd drilling_directions_;  ///< w_τ of contacts taken for point contacts, f × chosen
+  Eigen::VectorXd drilling_drive_;       ///< and w̃_τ
+  Eigen::VectorXd at_rest_;              ///< u = 0
   Eigen::MatrixXd directions_;
   Eigen::MatrixXd response_;
   Eigen::VectorXd drive_;
