@@ -100,6 +100,7 @@ int run(int argc, char** argv) {
   cli::add_law(program);
   cli::add_project(program);
   cli::add_simulate(program);
+  cli::add_effects(program);
 
   const auto complain = [&](const std::string& message, cli::Status status) {
     std::cerr << full_name(program) << ": " << message << '\n';

@@ -20,6 +20,7 @@
 #include "contensou/text/number.hpp"
 #include "contensou/text/quoted.hpp"
 #include "output.hpp"
+#include "scene_options.hpp"
 #include "subcommand.hpp"
 #include "summary.hpp"
 
@@ -68,17 +69,6 @@ struct SimulateOptions {
   std::optional<std::string> out;
   bool quiet = false;
 };
-
-contensou::Scene read(const Command& command) {
-  try {
-    contensou::SceneDocument document = contensou::read_document(command.scene);
-    for (const std::string& key : command.unset) contensou::unset_value(document, key);
-    for (const std::string& assignment : command.set) contensou::set_value(document, assignment);
-    return contensou::read_scene(document);
-  } catch (const std::invalid_argument& error) {
-    throw BadInput(error.what());
-  }
-}
 
 /// Before a long run, not after it: whether the results can be written there. Makes nothing.
 void require_writable(const fs::path& folder) {
@@ -146,7 +136,7 @@ void write(const fs::path& folder, const Command& command, const contensou::Scen
 
 void run(const SimulateOptions& options) {
   const Command& command = options.command;
-  const contensou::Scene scene = read(command);
+  const contensou::Scene scene = changed_scene(command);
   const fs::path folder = options.out ? fs::path(*options.out) : fs::path(command.scene).stem();
   require_writable(folder);
 
@@ -177,21 +167,7 @@ void add_simulate(CLI::App& program) {
   CLI::App* simulate = program.add_subcommand("simulate", description);
 
   const auto options = std::make_shared<SimulateOptions>();
-  simulate->add_option("SCENE", options->command.scene, "The scene, a TOML file")
-      ->required()
-      ->option_text(" ");
-  simulate
-      ->add_option(
-          "--set", options->command.set,
-          "Put VALUE, in TOML, in the place of a key of the scene\n(a word needs no quotes); as often "
-          "as needed, the last one\ncounts")
-      ->allow_extra_args(false)
-      ->option_text("KEY=VALUE");
-  simulate
-      ->add_option("--unset", options->command.unset,
-                   "Remove a key of the scene, or a whole table; before all\n--set")
-      ->allow_extra_args(false)
-      ->option_text("KEY");
+  add_scene_options(*simulate, options->command);
   simulate
       ->add_option("--out", options->out,
                    "The folder to write into, instead of one named after the\nscene in the current folder")

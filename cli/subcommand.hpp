@@ -8,5 +8,6 @@ namespace cli {
 void add_law(CLI::App& program);
 void add_project(CLI::App& program);
 void add_simulate(CLI::App& program);
+void add_effects(CLI::App& program);
 
 }  // namespace cli
