@@ -12,6 +12,7 @@
 #include "bad_input.hpp"
 #include "numbers.hpp"
 #include "subcommand.hpp"
+#include "sweep_crew.hpp"
 
 namespace {
 
@@ -101,8 +102,11 @@ int run(int argc, char** argv) {
   cli::add_project(program);
   cli::add_simulate(program);
   cli::add_effects(program);
+  cli::add_sweep(program);
 
   const auto complain = [&](const std::string& message, cli::Status status) {
+    // Of the processes of one sweep the first speaks for all.
+    if (full_name(program) == "contensou sweep" && !cli::mpi_job().first) return status;
     std::cerr << full_name(program) << ": " << message << '\n';
     return status;
   };
@@ -121,6 +125,10 @@ int run(int argc, char** argv) {
     return complain(explain(program, error), cli::bad_input);
   } catch (const cli::BadInput& error) {
     return complain(error.what(), cli::bad_input);
+  } catch (const cli::Interrupted& stopped) {
+    constexpr int by_signal = 128;  // as shells count
+    complain(stopped.what(), cli::failed);
+    return by_signal + stopped.signal;
   } catch (const std::exception& error) {
     return complain(on_one_line(error.what()), cli::failed);
   }

@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
@@ -21,6 +20,7 @@
 #include "contensou/text/quoted.hpp"
 #include "output.hpp"
 #include "scene_options.hpp"
+#include "signals.hpp"
 #include "subcommand.hpp"
 #include "summary.hpp"
 
@@ -100,23 +100,6 @@ contensou::Outcome compose_and_run(const contensou::Scene& scene, bool quiet) {
     throw BadInput(scene.file + ": " + contensou::printable(error.what()));
   }
 }
-
-/// Holds back the signals that would end the program between two files; they act when this is gone.
-class SignalsHeld {
- public:
-  SignalsHeld() {
-    sigset_t held;
-    sigemptyset(&held);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&held, signal);
-    sigprocmask(SIG_BLOCK, &held, &before_);
-  }
-  ~SignalsHeld() { sigprocmask(SIG_SETMASK, &before_, nullptr); }
-  SignalsHeld(const SignalsHeld&) = delete;
-  SignalsHeld& operator=(const SignalsHeld&) = delete;
-
- private:
-  sigset_t before_;
-};
 
 void write(const fs::path& folder, const Command& command, const contensou::Scene& scene,
            const contensou::Outcome& outcome) {

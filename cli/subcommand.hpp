@@ -9,5 +9,6 @@ void add_law(CLI::App& program);
 void add_project(CLI::App& program);
 void add_simulate(CLI::App& program);
 void add_effects(CLI::App& program);
+void add_sweep(CLI::App& program);
 
 }  // namespace cli

@@ -1,25 +1,31 @@
 #pragma once
 
 #include <iosfwd>
+#include <string>
+#include <utility>
 
 namespace contensou {
 
-/// The progress of a simulation on one line of a terminal, written over again and again: how far it is, and
-/// how long the rest will take if it goes on like this. Silent for the first second, so that a short run
-/// shows nothing; then at most five times a second.
+/// The progress of a simulation, or of many, on one line of a terminal, written over again and again: how far
+/// it is, and how long the rest will take if it goes on like this. Silent for the first second, so that what
+/// is short shows nothing; then at most five times a second.
 class Progress {
  public:
-  /// `terminal` outlives this. Simulated time runs from `begin` to `end` [s].
-  Progress(std::ostream& terminal, double begin, double end) : out_(terminal), begin_(begin), end_(end) {}
+  /// `terminal` outlives this. What is counted runs from `begin` to `end`: simulated time, or what `before`
+  /// and `after` say around the numbers.
+  Progress(std::ostream& terminal, double begin, double end,
+           std::string before = "t = ", std::string after = " s")
+      : out_(terminal), before_(std::move(before)), after_(std::move(after)), begin_(begin), end_(end) {}
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// At simulated time t, `elapsed` seconds of wall time after the start.
-  void show(double t, double elapsed);
+  /// The count is at `at`, `elapsed` seconds of wall time after it was at `begin`.
+  void show(double at, double elapsed);
 
  private:
   std::ostream& out_;
+  std::string before_, after_;
   double begin_;
   double end_;
   double next_ = 1;  ///< elapsed time of the next line [s]
