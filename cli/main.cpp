@@ -105,8 +105,8 @@ int run(int argc, char** argv) {
   cli::add_sweep(program);
 
   const auto complain = [&](const std::string& message, cli::Status status) {
-    // Of the processes of one sweep the first speaks for all.
-    if (full_name(program) == "contensou sweep" && !cli::mpi_job().first) return status;
+    // Of the processes of one sweep the first speaks for all, and mpirun ends the others when one has failed.
+    if (full_name(program) == "contensou sweep" && !cli::mpi_job().first) return cli::done;
     std::cerr << full_name(program) << ": " << message << '\n';
     return status;
   };

@@ -47,25 +47,25 @@ std::vector<std::string> split(std::string_view text, char separator) {
   return parts;
 }
 
+/// In long double, so that what is round in decimals comes out so: 0.1:0.3:3 has 0.2, 1e-6:1e-3:4:log has
+/// 1e-5.
 struct Range {
-  double from, to;
+  long double from, to;
   std::size_t points;
 };
 
-/// Evenly spaced. Not from + i step: between whole numbers this is rounded once, so that 0:1:11 has 0.3.
+/// Evenly spaced.
 double linear(const Range& range, std::size_t i) {
-  const auto last = static_cast<double>(range.points - 1), at = static_cast<double>(i);
-  return (range.from * (last - at) + range.to * at) / last;
+  const auto last = static_cast<long double>(range.points - 1), at = static_cast<long double>(i);
+  return static_cast<double>((range.from * (last - at) + range.to * at) / last);
 }
 
-/// Even ratios. By decimal logarithms, with digits to spare, so that powers of ten between powers of ten are
-/// met exactly.
+/// Even ratios.
 double geometric(const Range& range, std::size_t i) {
   const auto last = static_cast<long double>(range.points - 1), at = static_cast<long double>(i);
-  const long double from = std::log10(std::abs(static_cast<long double>(range.from)));
-  const long double to = std::log10(std::abs(static_cast<long double>(range.to)));
+  const long double from = std::log10(std::abs(range.from)), to = std::log10(std::abs(range.to));
   const long double size = std::pow(10.0L, (from * (last - at) + to * at) / last);
-  return std::copysign(static_cast<double>(size), range.from);
+  return static_cast<double>(std::copysign(size, range.from));
 }
 
 std::vector<std::string> values_between(std::string_view key, const std::vector<std::string>& parts) {
@@ -82,10 +82,10 @@ std::vector<std::string> values_between(std::string_view key, const std::vector<
     refuse(key, in_quotes(parts[0] + ':' + parts[1]) +
                     " has no even ratios; expected two numbers of one sign, neither of them 0");
 
-  std::vector<std::string> values{to_text(range.from)};
+  std::vector<std::string> values{to_text(static_cast<double>(range.from))};
   for (std::size_t i = 1; i + 1 < range.points; ++i)
     values.push_back(to_text(even_ratios ? geometric(range, i) : linear(range, i)));
-  values.push_back(to_text(range.to));
+  values.push_back(to_text(static_cast<double>(range.to)));
   return values;
 }
 
