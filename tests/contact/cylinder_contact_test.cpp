@@ -180,6 +180,29 @@ TEST_CASE("Cylinder contacts: all methods, beside contacts of other kinds", "[co
   }
 }
 
+TEST_CASE("Cylinder contacts: the default solver, whatever the friction, redundant or not", "[contact]") {
+  std::mt19937_64 g(25);
+  for (const double typical : {0.1, 1.0, 10.0}) {
+    for (const int missing : {-1, 4, 8}) {
+      for (int k = 0; k < 30; ++k) {
+        const double mu = typical * std::pow(10, number(g) / 2);
+        const std::vector<ContactGroup> groups{
+            {&frictionless, {0}}, {&apart, {mu, mu / 3, mu / 2}}, {&disk, {mu}}};
+        const Eigen::Index rows = ContactProblem{groups, {}, {}}.rows();
+        Eigen::MatrixXd h = Eigen::MatrixXd::NullaryExpr(rows - missing, rows, [&] { return number(g); });
+        h.row(0).setZero();
+        for (const Eigen::Index normal : {0, 1, 5, 9, 13}) h(0, normal) = 2;  // a lift opens all
+        const Eigen::VectorXd u = Eigen::VectorXd::NullaryExpr(rows - missing, [&] { return number(g); });
+        const ContactProblem problem{groups, h.transpose() * h, h.transpose() * u};
+        ContactSolver solver({.tolerance = 1e-10});
+        Eigen::VectorXd impulse;
+        CAPTURE(mu, missing, k);
+        CHECK(solver.solve(problem, impulse).status == SolverStatus::solved);
+      }
+    }
+  }
+}
+
 TEST_CASE("Cylinder contact: not on acceleration level", "[contact]") {
   const ContactProblem problem{{{&apart, {0.5}}}, Matrix4d::Identity(), Vector4d(-1, 1, 1, 1)};
   CHECK_THROWS_AS(AccelerationLevel(problem, Vector4d(0, 1, 0, 0)), std::invalid_argument);
