@@ -196,7 +196,7 @@ void require_apart(const SceneReader& read, const std::vector<Surface>& surfaces
     for (std::size_t j = 0; j < i; ++j) {  // planes are numbered last
       if (!meet(data, i, j)) continue;
       if (surfaces[i].is_of_bodies()) {
-        start.require_apart(groups[i], groups[j]);
+        start.require_apart(groups[j], groups[i]);
       } else {
         start.require_above(groups[j], data.planes[surfaces[i].first]);
       }
