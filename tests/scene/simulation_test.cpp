@@ -1,10 +1,16 @@
 #include "contensou/scene/simulation.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <filesystem>
 #include <type_traits>
 
+#include "bodies_scene.hpp"
+#include "contensou/scene/between.hpp"
 #include "contensou/scene/effects.hpp"
+#include "contensou/scene/run.hpp"
+#include "contensou/system/rigid_bodies.hpp"
 #include "contensou/system/tippe_top_axis.hpp"
 #include "contensou/system/tippe_top_euler.hpp"
 
@@ -109,4 +115,76 @@ TEST_CASE("Simulation: the effects that run", "[scene]") {
                          "scene.gravity=0"})) == Names{"unilateral contact", "sliding friction"});
   const Scene limit = changed({"contact.body.radius=0", "contact.body.restitution=0.5"});
   CHECK(effects(top_of(limit).contacts[0]) == Names{"unilateral contact", "restitution", "sliding friction"});
+}
+
+TEST_CASE("Simulation: bodies with every pair watched start as their scene says", "[scene]") {
+  const Simulation simulation = compose(test::changed({}));
+  CHECK(dynamic_cast<const RigidBodies*>(simulation.system.get()) != nullptr);
+  CHECK(simulation.contacts.size() == 29);
+  CHECK(simulation.contacts[0] == "top");
+  CHECK(simulation.contacts[28] == "hulls_2");
+  CHECK(simulation.works == std::vector<std::string>{"air drag", "load push"});
+  std::vector<double> row;
+  const std::vector<ContactMode> modes(29, ContactMode::open);
+  simulation.describe({0, simulation.state.q, simulation.state.u, modes}, row);
+  REQUIRE(row.size() == 7);
+  CHECK(row[0] == 0.5);  // top.x
+  CHECK(row[2] == 0);    // gap_top: touching
+  CHECK(row[3] == 0);    // slip_slide
+  CHECK(row[5] == 2.5);  // top.z
+  CHECK(row[4] == simulation.energy(simulation.state));
+}
+
+TEST_CASE("Simulation: the names of contacts are those of the system", "[scene]") {
+  const Scene scene = test::changed({});
+  const Simulation simulation = compose(scene);
+  const std::vector<PairName> pairs = pair_names(test::bodies_of(scene));
+  REQUIRE(pairs.size() == simulation.contacts.size());
+  for (std::size_t i = 0; i < pairs.size(); ++i) CHECK(pairs[i].name == simulation.contacts[i]);
+}
+
+TEST_CASE("Simulation: nscd runs the same scene without events", "[scene]") {
+  const Scene scene =
+      test::changed({{"outcome", "output.columns"},
+                     {"integrator.method=nscd", "integrator.step=1e-3", "scene.duration=0.01"}});
+  Simulation simulation = compose(scene);
+  CHECK(simulation.system == nullptr);
+  CHECK(simulation.contacts == std::vector<std::string>{"top", "slide", "pile", "walls", "hulls"});
+  CHECK(simulation.works == std::vector<std::string>{"air drag", "load push"});
+  CHECK(simulation.columns == std::vector<std::string>{"highest", "energy"});
+  const Outcome outcome = run(simulation);
+  CHECK(outcome.report.status == RunStatus::finished);
+  CHECK(outcome.t == 0.01);
+  CHECK(outcome.report.work.size() == 2);
+  CHECK(outcome.report.dissipated.size() == 5);
+}
+
+TEST_CASE("Simulation: a radius that follows the load is written in the one under the weight", "[scene]") {
+  // (3 rho W/(4 E*))^(1/3) with rho = 1/4, the smallest sphere, and W = 2 kg sqrt(1 + 9.81^2) m/s^2, the
+  // heaviest body; what a pair makes of it is by its own radii: 1 and 1/2 in the hulls', so rho* = 1/2 and
+  // 1/3.
+  const Simulation simulation =
+      compose(test::changed({{},
+                             {"contact.hulls.radius=hertz", "contact.hulls.modulus=2e9",
+                              "integrator.method=moreau", "integrator.step=1e-3"}}));
+  const auto& contacts = simulation.system->contacts();
+  const double weight = 2 * std::sqrt(1 + 9.81 * 9.81);
+  CHECK(contacts[28].radius == Approx(std::cbrt(0.75 * 0.25 * weight / 2e9)).epsilon(1e-14));
+  REQUIRE(contacts[28].load_radius);
+  const double one = contacts[27].load_radius->relative_radius,
+               other = contacts[28].load_radius->relative_radius;
+  CHECK(std::min(one, other) == Approx(1.0 / 3).epsilon(1e-14));
+  CHECK(std::max(one, other) == Approx(0.5).epsilon(1e-14));
+}
+
+TEST_CASE("Simulation: the shipped scenes of bodies are read and composed", "[scene]") {
+  int scenes = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(CONTENSOU_SCENES)) {
+    if (entry.path().extension() != ".toml") continue;
+    INFO(entry.path());
+    const Simulation simulation = compose(read_scene(read_document(entry.path())));
+    CHECK(simulation.columns.size() > 0);
+    ++scenes;
+  }
+  CHECK(scenes >= 9);
 }
