@@ -148,6 +148,34 @@ overrides_to initial.z_s=touching          '--set initial.z_s' '"touching"' '"co
 run simulate good.toml --out never --set scene.formulation=euler --set initial.theta=0
 refused '--set initial.theta' singular axis
 
+# Scenes of bodies: one of each kind; all of them are in tests/scene.
+cp "$(dirname "$shipped")/tippe_top_bodies.toml" "$(dirname "$shipped")/pile.toml" .
+bodies() { # SCENE KEY=VALUE WORD...
+  scene=$1
+  run simulate "$scene" --out never --set "$2"
+  shift 2
+  refused "$@"
+}
+bodies tippe_top_bodies.toml body.top.mass=-1         '--set body.top.mass' -1 '> 0'
+bodies tippe_top_bodies.toml body.top.inertia=[1,1,3] '--set body.top.inertia' '[1,1,3]' 'sum of the others'
+bodies tippe_top_bodies.toml body.top.inertia=[1,1]   '--set body.top.inertia' '2 entries'
+bodies tippe_top_bodies.toml body.top.orientation=[1,1,0,0] '--set body.top.orientation' 'length 1.41' quaternion
+bodies tippe_top_bodies.toml body.top.position=[0,nan,0] '--set body.top.position' 'holds nan'
+bodies tippe_top_bodies.toml body.top.touching=flor   '--set body.top.touching' '"flor"' 'a plane'
+bodies tippe_top_bodies.toml 'load.push={body="tip", force=[0,0,1]}' '--set load.push.body' '"tip"'
+bodies tippe_top_bodies.toml integrator.method=nscd   'gap_body' 'no column here'
+bodies pile.toml 'contact.glass.between=["marbles", "galss"]' '--set contact.glass.between' '"galss"' 'marbles, glass'
+bodies pile.toml 'contact.glass.between=["marbles", "marbles"]' '--set contact.glass.between' 'contact marbles'
+bodies pile.toml balls.marbles.spacing=0.0199          '--set balls.marbles.spacing' '2 radius'
+bodies pile.toml 'balls.marbles.lower=[0.009, 0.009, 0.009]' '--set balls.marbles.lower' 'deep into glass.'
+bodies pile.toml balls.marbles.count=1e300             '--set balls.marbles.count' 1e300 1000000
+bodies pile.toml box.glass.sides=[]                    '--set box.glass.sides' '"bottom"'
+bodies pile.toml output.columns=[]                     '--set output.columns'
+bodies pile.toml integrator.method=moreau              '--set integrator.method' 'pairs' nscd
+run simulate pile.toml --out never --unset contact.glass.mu
+refused "pile.toml:$(grep -n -F '[contact.glass]' pile.toml | cut -d : -f 1): contact.glass.mu is missing"
+rm tippe_top_bodies.toml pile.toml
+
 # --set and --unset themselves.
 for assignment in abc '' =1 'a b=1' '.=1' 'a.=1' '.a=1' 'a..b=1' '"a"=1' 'é=1'; do
   overrides_to "$assignment" --set expected

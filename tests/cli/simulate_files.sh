@@ -45,6 +45,28 @@ status=0
 "$program" simulate "$scene" --set scene.duration=0.25 --out full >/dev/full 2>err || status=$?
 undelivered 'standard output'
 
+# A disk that is really full, and one that cannot be written, where a mount of our own is allowed. Only the folder that was
+# made may be left; one that is read-only is said before the run (which would take an hour).
+mkdir -p disk
+if unshare -m mount -t tmpfs -o size=64k none disk 2>err; then
+  command='contensou simulate, on a full disk'
+  status=0
+  unshare -m sh -c 'mount -t tmpfs -o size=64k none disk && "$1" simulate "$2" --set scene.duration=0.1 --quiet --out disk/old 2>first &&
+    cp -r disk/old kept_old && "$1" simulate "$2" --set scene.duration=2 --quiet --out disk/old >out 2>err; echo $? >status
+    diff -r disk/old kept_old >difference; "$1" simulate "$2" --set scene.duration=2 --quiet --out disk/new 2>again; echo $? >>status
+    find disk/new -type f >left' - "$program" "$scene" || status=$?
+  check "what was said: $(cat first err again)" [ "$(cat first)$(wc -l <err)$(wc -l <again)" = 11 ]
+  check "exit status: $(cat status)" [ "$(cat status | tr '\n' ' ')" = '1 1 ' ]
+  check "no file is named: $(cat err)" grep -q 'trajectory.tsv: cannot be written' err
+  check "old results changed: $(cat difference)" [ ! -s difference ]
+  check "left: $(cat left)" [ ! -s left ]
+  command='contensou simulate, on a read-only disk'
+  status=0
+  unshare -m sh -c 'mount -t tmpfs -o ro none disk && exec "$1" simulate "$2" --set integrator.method=moreau --set integrator.step=1e-8 \
+    --out disk/new >out 2>err' - "$program" "$scene" || status=$?
+  refused --out '"disk/new"' 'cannot be written'
+fi
+
 # Interrupted in the middle: nothing is left, not even the folder.
 command='contensou simulate, interrupted'
 status=0
