@@ -13,14 +13,13 @@
 #include <vector>
 
 #include "bad_input.hpp"
-#include "contensou/output/file.hpp"
 #include "contensou/output/progress.hpp"
 #include "contensou/scene/run.hpp"
 #include "contensou/text/number.hpp"
 #include "contensou/text/quoted.hpp"
 #include "output.hpp"
+#include "output_folder.hpp"
 #include "scene_options.hpp"
-#include "signals.hpp"
 #include "subcommand.hpp"
 #include "summary.hpp"
 
@@ -70,18 +69,6 @@ struct SimulateOptions {
   bool quiet = false;
 };
 
-/// Before a long run, not after it: whether the results can be written there. Makes nothing.
-void require_writable(const fs::path& folder) {
-  std::error_code error;
-  fs::path there = fs::absolute(folder, error);
-  while (!fs::exists(fs::symlink_status(there, error)) && there != there.parent_path())
-    there = there.parent_path();
-  if (folder.empty() || !fs::is_directory(there, error) || access(there.c_str(), W_OK | X_OK) != 0) {
-    throw BadInput("--out: " + contensou::in_quotes(folder.string()) +
-                   " cannot be written; expected the name of a folder, there or not, to write into");
-  }
-}
-
 contensou::Outcome run_with_progress(contensou::Simulation& simulation, bool quiet) {
   if (quiet || isatty(STDERR_FILENO) == 0) return contensou::run(simulation);
   contensou::Progress progress(std::cerr, simulation.state.t, simulation.t_end);
@@ -111,10 +98,9 @@ void write(const fs::path& folder, const Command& command, const contensou::Scen
                                  trajectory_table(outcome);
   const std::string events = made_by + "# units: s\n" + events_table(outcome);
   const std::string json = summary(command, scene, outcome);
-  const SignalsHeld held;
-  contensou::write_files({{folder / "trajectory.tsv", trajectory},
-                          {folder / "events.tsv", events},
-                          {folder / "summary.json", json}});
+  write_together({{folder / "trajectory.tsv", trajectory},
+                  {folder / "events.tsv", events},
+                  {folder / "summary.json", json}});
 }
 
 void run(const SimulateOptions& options) {
