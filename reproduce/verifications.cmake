@@ -73,6 +73,9 @@ contensou_run(verify_siconos "Verification: against Siconos, points of contact a
   OPTIONAL "Siconos is not installed"
   TABLES siconos_coulomb siconos_patch siconos_ball parts/claims-siconos
   DRAWN_BY ${PROJECT_SOURCE_DIR}/verify/siconos/siconos_patch.gp DRAWINGS siconos_patch)
+contensou_run(verify_absent "Verification: what is absent costs nothing, by counting"
+  OPTIONAL "valgrind is not installed"
+  TABLES cost_absent parts/claims-absent)
 contensou_run(bench_laws "What accuracy costs: measuring"
   TABLES cost_laws cost_laws_front cost_ratios
   DRAWN_BY ${PROJECT_SOURCE_DIR}/bench/laws/cost_laws.gp DRAWINGS cost_laws)
@@ -106,4 +109,4 @@ endif()
 set(verification_statuses
   ${verify_quadrature_status} ${verify_ledger_status} ${verify_plates_status} ${verify_ball_status} ${verify_accuracy_status}
   ${verify_augmented_status} ${verify_contact_status} ${verify_consistency_status} ${verify_stability_status}
-  ${verify_integrators_status} ${verify_story_status} ${verify_siconos_status})
+  ${verify_integrators_status} ${verify_story_status} ${verify_siconos_status} ${verify_absent_status})

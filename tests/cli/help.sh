@@ -3,7 +3,7 @@
 
 run --help
 succeeds
-for word in 'Usage: contensou' law project simulate --version 'Leine' 'Exit status'; do
+for word in 'Usage: contensou' law project simulate effects --version 'Leine' 'Exit status'; do
   check "'$word' is missing" grep -qF -e "$word" "$folder/out"
 done
 
@@ -28,11 +28,18 @@ for word in 'Usage: contensou simulate' SCENE --set --unset --out --quiet trajec
   check "'$word' is missing" grep -qF -e "$word" "$folder/out"
 done
 
+run effects --help
+succeeds
+for word in 'Usage: contensou effects' SCENE --set --unset --audit --out --repeat --quiet where runs rows how audit.tsv audit.svg \
+  uncoupled frictionless restitution Examples; do
+  check "'$word' is missing" grep -qF -e "$word" "$folder/out"
+done
+
 # The examples of the help do what they are there for.
 scenes=$(cd "$(dirname "$0")/../../scenes" && pwd)
 cd "$folder" || exit 1
 ln -s "$scenes" scenes
-for subcommand in law project simulate; do
+for subcommand in law project simulate effects; do
   run "$subcommand" --help
   # Help is for reading: no line is longer than 120 characters.
   check "a line is too long" awk 'length($0) > 120 { exit 1 }' out
@@ -46,6 +53,7 @@ done
 check "the example with --out made no file" [ -s law.tsv ]
 check "the example with --out made no file" [ -s points.tsv ]
 check "the example with --out made no folder" [ -s small_radius/summary.json ]
+check "the example with --out made no folder" [ -s worth/audit.svg ]
 
 run --version
 succeeds
