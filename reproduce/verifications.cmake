@@ -76,6 +76,9 @@ contensou_run(verify_siconos "Verification: against Siconos, points of contact a
 contensou_run(verify_absent "Verification: what is absent costs nothing, by counting"
   OPTIONAL "valgrind is not installed"
   TABLES cost_absent parts/claims-absent)
+contensou_run(bench_effects "What each effect costs, in instructions"
+  OPTIONAL "valgrind is not installed"
+  TABLES effect_costs)
 contensou_run(bench_laws "What accuracy costs: measuring"
   TABLES cost_laws cost_laws_front cost_ratios
   DRAWN_BY ${PROJECT_SOURCE_DIR}/bench/laws/cost_laws.gp DRAWINGS cost_laws)

@@ -140,6 +140,7 @@ std::string page(const Evidence& evidence, const fs::path& sources, const fs::pa
                {"top", top_section(report)},
                {"integrators", integrators_section(report)},
                {"cost", cost_section(report)},
+               {"effects", effects_section(report)},
                {"provenance", provenance()},
                {"programs", programs(evidence)}});
 }

@@ -164,4 +164,11 @@ std::string cost_section(const fs::path& report) {
          "cost_integrators_aims"}}});
 }
 
+std::string effects_section(const fs::path& report) {
+  return shown(report, {{"What is absent costs nothing", "", {"cost_absent", "effect_costs"}},
+                        {"The tippe-top", "audit_tippe_top", {"audit_tippe_top"}},
+                        {"A disc that slides and spins to rest", "audit_sliding_disc", {"audit_sliding_disc"}},
+                        {"The polishing machine", "audit_polishing_machine", {"audit_polishing_machine"}}});
+}
+
 }  // namespace report

@@ -21,5 +21,6 @@ std::string contact_section(const std::filesystem::path& report);
 std::string top_section(const std::filesystem::path& report);
 std::string integrators_section(const std::filesystem::path& report);
 std::string cost_section(const std::filesystem::path& report);
+std::string effects_section(const std::filesystem::path& report);
 
 }  // namespace report

@@ -19,6 +19,8 @@ std::string contact(const std::string& name, const std::string& law) {
   return "[contact." + name + "]\nbetween = [\"" + name + "\", \"table\"]\n" + law;
 }
 
+constexpr double duration = 0.03;  // [s]
+
 constexpr const char* gravity = "gravity = 9.81\n";
 constexpr const char* table = "[plane.table]\nnormal = [0, 0, 1]\noffset = 0\n";
 constexpr const char* frictionless = "law = \"frictionless\"\n";
@@ -37,33 +39,22 @@ std::string free_body(const std::string& method) {
 
 }  // namespace
 
+CountedScene ball_with_patch(const std::string& method) {
+  return {"contensou", method, "", ball_on_table(method, contensou), duration, {}, {"contact", "law"}};
+}
+
 std::vector<CountedScene> counted_scenes() {
   std::vector<CountedScene> scenes;
   for (const char* method : {"moreau", "event_driven"}) {
-    const double duration = 0.03;
-    scenes.push_back({"free_body",
-                      method,
-                      "contact",
-                      free_body(method),
-                      duration,
-                      {"contact", "friction", "ball", "law", "arcs"},
-                      {}});
-    scenes.push_back({"frictionless",
-                      method,
-                      "friction",
-                      ball_on_table(method, frictionless),
-                      duration,
-                      {"friction", "ball", "law", "arcs"},
-                      {"contact"}});
-    scenes.push_back({"coulomb",
-                      method,
-                      "drilling friction",
-                      ball_on_table(method, coulomb),
-                      duration,
-                      {"ball", "law", "arcs"},
-                      {"contact"}});
-    scenes.push_back(
-        {"contensou", method, "", ball_on_table(method, contensou), duration, {}, {"contact", "law"}});
+    const auto add = [&](const char* name, const char* effect, const std::string& text,
+                         const std::vector<std::string>& absent, const std::vector<std::string>& present) {
+      scenes.push_back({name, method, effect, text, duration, absent, present});
+    };
+    add("free_body", "contact", free_body(method), {"contact", "friction", "ball", "law", "arcs"}, {});
+    add("frictionless", "friction", ball_on_table(method, frictionless), {"friction", "ball", "law", "arcs"},
+        {"contact"});
+    add("coulomb", "drilling friction", ball_on_table(method, coulomb), {"ball", "law", "arcs"}, {"contact"});
+    scenes.push_back(ball_with_patch(method));
   }
   return scenes;
 }

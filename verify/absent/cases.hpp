@@ -19,6 +19,9 @@ struct CountedScene {
 /// Scenes that each lack one effect more than the next, by time-stepping and from event to event.
 std::vector<CountedScene> counted_scenes();
 
+/// The last of them: one ball on a table, drilling friction and all.
+CountedScene ball_with_patch(const std::string& method);
+
 /// Balls that slide and spin on a table, too far apart to meet: `contensou` of `balls` touch it with drilling
 /// friction, the others as points.
 CountedScene balls_on_table(const std::string& method, int balls, int contensou);
