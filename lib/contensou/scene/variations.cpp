@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "contensou/scene/columns.hpp"
+#include "contensou/scene/read_contact.hpp"
 #include "contensou/scene/variation_edit.hpp"
 #include "contensou/scene/weight_radius.hpp"
 #include "contensou/text/number.hpp"
@@ -90,9 +91,7 @@ class Generator {
 
   /// The methods that follow smooth phases have no way with it: there both sides are run by time-stepping.
   void uncoupled(std::vector<Variation> made) {
-    const Method method = scene_.integrator.method;
-    const bool by_steps =
-        method != Method::event_driven && method != Method::rk4 && method != Method::rk4_printed;
+    const bool by_steps = is_time_stepping(scene_.integrator.method);
     if (made.empty()) return;
     if (!by_steps) {
       method_at_ = variations_.size();
@@ -196,7 +195,7 @@ class Generator {
     Edit edit(document, "method", name(method));
     edit.set("integrator.method", name(method));
     for (const char* key : {"integrator.r", "integrator.threads"}) edit.unset(key);
-    if (!has_fixed_step(method)) edit.unset("scene.fidelity");
+    if (!is_time_stepping(method)) edit.unset("scene.fidelity");
     const char* setting = has_fixed_step(method) ? "integrator.step" : "integrator.tolerance";
     if (!document.values.contains(setting)) {
       edit.set(setting,
