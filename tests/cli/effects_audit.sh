@@ -25,9 +25,9 @@ succeeds
 cp out audit.tsv
 change=$(awk 'BEGIN { printf "%.17g", 0.3 * 6e-3 * 9.81 * 5e-4 / 7e-7 }')
 hertz=0.5890486225480862
-near uniform "$(cell pressure uniform body omega_z change)" "$(awk -v c=$change -v h=$hertz 'BEGIN { print (2/3 - h) * c }')" 1e-7
-near coulomb "$(cell friction coulomb body omega_z change)" "$(awk -v c=$change -v h=$hertz 'BEGIN { print h * c }')" 1e-7
-near frictionless "$(cell friction frictionless body omega_z change)" "$(awk -v c=$change -v h=$hertz 'BEGIN { print h * c }')" 1e-7
+near uniform "$(cell pressure uniform body omega_z change)" "$(awk -v c=$change -v h=$hertz 'BEGIN { printf "%.17g", (2/3 - h) * c }')" 1e-7
+near coulomb "$(cell friction coulomb body omega_z change)" "$(awk -v c=$change -v h=$hertz 'BEGIN { printf "%.17g", h * c }')" 1e-7
+near frictionless "$(cell friction frictionless body omega_z change)" "$(awk -v c=$change -v h=$hertz 'BEGIN { printf "%.17g", h * c }')" 1e-7
 near ellipsoid "$(cell friction ellipsoid body omega_z change)" 0 1e-7
 near uncoupled "$(cell friction uncoupled body omega_z change)" 0 1e-7
 near "value under coulomb" "$(cell friction coulomb body omega_z value)" 180 1e-7

@@ -20,7 +20,7 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 // A variation may take so much longer than the scene itself before it is given up.
 constexpr double most_times = 50;
-constexpr double least_limit = 1;  // [s]
+constexpr double least_limit = 30;  // [s]
 
 struct GivenUp : std::runtime_error {
   using std::runtime_error::runtime_error;

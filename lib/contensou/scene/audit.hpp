@@ -45,7 +45,7 @@ struct AuditOptions {
 };
 
 /// Runs a scene and all of its variations. A variation that cannot be read or run, or takes more than fifty
-/// times the scene's own time (and a second), is a row with its status. Throws SceneError where the scene
+/// times the scene's own time (and half a minute), is a row with its status. Throws SceneError where the scene
 /// itself cannot be read, std::runtime_error where it does not reach its end, and as compose() does.
 Audit audit(const SceneDocument& document, const AuditOptions& options);
 
