@@ -109,19 +109,27 @@ class AuditProgress {
   bool shown_;
 };
 
-void run_audit(const EffectsOptions& options) {
-  const contensou::SceneDocument document = changed_document(options.command);
-  const contensou::Scene scene = changed_scene(options.command);
-  if (options.out) require_writable(*options.out);
-  contensou::Audit audit;
-  {
-    const AuditProgress progress(!options.quiet && isatty(STDERR_FILENO) != 0);
-    audit = contensou::audit(
+contensou::Audit audit_with_progress(const contensou::SceneDocument& document, const std::string& file,
+                                     const EffectsOptions& options) {
+  const AuditProgress progress(!options.quiet && isatty(STDERR_FILENO) != 0);
+  try {
+    return contensou::audit(
         document, {.repeat = options.repeat,
                    .progress = [&](std::size_t done, std::size_t all, const contensou::Variation& next) {
                      progress.show(done, all, next);
                    }});
+  } catch (const contensou::SceneError& error) {
+    throw BadInput(error.what());
+  } catch (const std::invalid_argument& error) {
+    throw BadInput(file + ": " + contensou::printable(error.what()));
   }
+}
+
+void run_audit(const EffectsOptions& options) {
+  const contensou::SceneDocument document = changed_document(options.command);
+  const contensou::Scene scene = changed_scene(options.command);
+  if (options.out) require_writable(*options.out);
+  const contensou::Audit audit = audit_with_progress(document, scene.file, options);
   const std::string table = contensou::to_text(audit_table(audit, scene, options.repeat));
   if (!options.out) return deliver(table, std::nullopt);
   const std::filesystem::path folder = *options.out;
