@@ -77,3 +77,34 @@ TEST_CASE("Rigid bodies: terms with drag and loads by differences", "[system][bo
                                                    "load swing", "load lift"});
   check_terms(system, apart(system));
 }
+
+TEST_CASE("Rigid bodies: quaternions restored, scales, lengths", "[system][bodies]") {
+  const RigidBodies system(all_kinds(coulomb_floor()));
+  State s = system.start();
+  const Eigen::VectorXd once = s.q;
+  s.q.segment<4>(3) *= 1.001;
+  system.restore(s.q);
+  CHECK((s.q - once).norm() <= 3e-16);
+  const Eigen::VectorXd restored = s.q;
+  system.restore(s.q);
+  CHECK((s.q - restored).norm() == 0);
+  // The radius of gyration of the first body, √(1.5/1.3), is more than any sphere reaches, 1.05.
+  CHECK(system.length_scale() == Approx(std::sqrt(1.5 / 1.3)).epsilon(1e-15));
+  Eigen::VectorXd scales(system.coordinates());
+  system.coordinate_scales(scales);
+  CHECK(scales[2] == system.length_scale());
+  CHECK(scales[3] == 1);
+  CHECK(scales[10] == 1);
+  BodiesData far = all_kinds(coulomb_floor());
+  far.bodies[3].position[0] = -640;
+  CHECK(RigidBodies(far).length_scale() == 20);
+}
+
+TEST_CASE("Rigid bodies: what is absent has no account", "[system][bodies]") {
+  const RigidBodies system(all_kinds(coulomb_floor()));
+  CHECK(system.works().empty());
+  CHECK(system.driven());
+  BodiesData still = all_kinds(coulomb_floor());
+  still.bodies[2].spin.setZero();
+  CHECK(!RigidBodies(still).driven());
+}

@@ -86,7 +86,7 @@ std::vector<SystemContact> pair_contacts(const BodiesData& data, const std::vect
   for (const BodyPair& pair : pairs) {
     SystemContact contact = data.rules[pair.rule];
     if (of_rule[pair.rule] > 1) contact.name.append("_").append(std::to_string(++named[pair.rule]));
-    if (contact.load_radius) {
+    if (follows_load(contact)) {
       if (!pair.side.sphere) reject(data, pair, "a contact radius that does not follow the load");
       const double r = pair.side.reach;
       contact.load_radius->relative_radius = pair.other ? r * pair.other->reach / (r + pair.other->reach) : r;

@@ -18,6 +18,17 @@ bool at_most_sum(double i, double j, double k) {
   return i <= (j + k) * (1 + 4 * std::numeric_limits<double>::epsilon());
 }
 
+/// A body that does not turn has no spin; one that stays flat has it about its third axis.
+void require_possible_spin(const char* name, const BodyData& body) {
+  if (body.rotation == Rotation::none)
+    require(name, body.spin.isZero(0), "spin", body.spin.norm(), "0 where it does not turn");
+  if (body.rotation != Rotation::upright && !(body.rotation == Rotation::driven && body.base)) return;
+  const Eigen::Vector3d axis = body.orientation * Eigen::Vector3d::UnitZ();
+  const double across = axis.cross(body.spin).norm();
+  require(name, across <= unit_tolerance * body.spin.norm(), "spin across the third axis", across,
+          "0 where it stays upright");
+}
+
 void require_valid(const BodyData& body) {
   const std::string title = "body " + body.name;
   const char* name = title.c_str();
@@ -40,6 +51,7 @@ void require_valid(const BodyData& body) {
   finite(body.spin, "spin");
   const double length = body.orientation.norm();
   require(name, std::abs(length - 1) <= unit_tolerance, "orientation of length", length, "length 1");
+  require_possible_spin(name, body);
   for (const SphereData& sphere : body.spheres) {
     finite(sphere.centre, "centre of a sphere");
     require(name, sphere.radius > 0, "radius of a sphere", sphere.radius, positive_number);
@@ -57,12 +69,15 @@ void require_valid(const PlaneData& plane) {
   require(title.c_str(), true, "offset", plane.offset, finite_number);
 }
 
-void require_valid(const LoadData& load, std::size_t bodies) {
+void require_valid(const LoadData& load, const std::vector<BodyData>& bodies) {
   const std::string title = "load " + load.name;
   const char* name = title.c_str();
-  require(name, load.body < bodies, "body", static_cast<double>(load.body), "the index of a body");
+  require(name, load.body < bodies.size(), "body", static_cast<double>(load.body), "the index of a body");
   for (const double value : load.force) require(name, true, "force", value, finite_number);
   for (const double value : load.torque) require(name, true, "torque", value, finite_number);
+  const Rotation rotation = bodies[load.body].rotation;
+  require(name, load.torque.isZero(0) || rotation == Rotation::free || rotation == Rotation::upright,
+          "torque", load.torque.norm(), "0 on a body that does not turn, or as it is told");
   const CourseData& course = load.course;
   require(name, course.frequency >= 0, "frequency", course.frequency, nonnegative_number);
   require(name, true, "phase", course.phase, finite_number);
@@ -99,7 +114,7 @@ void require_valid(const BodiesData& data) {
   for (const double value : data.gravity) require("bodies", true, "gravity", value, finite_number);
   for (const BodyData& body : data.bodies) require_valid(body);
   for (const PlaneData& plane : data.planes) require_valid(plane);
-  for (const LoadData& load : data.loads) require_valid(load, data.bodies.size());
+  for (const LoadData& load : data.loads) require_valid(load, data.bodies);
   const auto surfaces = data.rule.rows();
   const auto known = [&](std::size_t surface) {
     require("bodies", static_cast<Eigen::Index>(surface) < surfaces, "surface", static_cast<double>(surface),

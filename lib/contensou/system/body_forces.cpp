@@ -90,10 +90,7 @@ void BodyForces::powers(double t, ConstVector q, ConstVector u, VectorRef power)
   }
   for (const LoadData& load : layout_.data().loads) {
     double rate = load.force.dot(layout_.velocity(load.body, u));
-    // A body that is not free to turn takes no power from a torque.
-    const Rotation rotation = layout_.data().bodies[load.body].rotation;
-    if (rotation == Rotation::free || rotation == Rotation::upright)
-      rate += load.torque.dot(layout_.spin(load.body, t, q, u));
+    if (!load.torque.isZero(0)) rate += load.torque.dot(layout_.spin(load.body, t, q, u));
     power[account++] = load.course.at(t) * rate;
   }
 }
