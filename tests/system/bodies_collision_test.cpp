@@ -193,3 +193,32 @@ TEST_CASE("A ball in a corner: two contacts at once", "[system][bodies]") {
                  system.potential_energy(end.q) - report.dissipated[0].total() -
                  report.dissipated[1].total()) <= 1e-9);
 }
+
+TEST_CASE("A ball in a groove: two contacts that repeat each other", "[system][bodies]") {
+  // Along the line through both points they hold each other, whatever the friction that takes: forces are not
+  // unique. Rolling down the groove is: μN = 2.1 N/kg at each, while rolling needs 0.22 of gravity along it.
+  for (const double along : {0.0, 1.0, 6.0}) {
+    BodiesData data;
+    data.gravity = {0.2, along, -9.81};
+    BodyData body = ball("ball", 0.3, 0.1, 0);
+    body.position = {0, 0, 0.1 * std::sqrt(2.0)};
+    body.spin = {-10, 4, 25};
+    data.bodies = {body};
+    data.planes = {{"left", Vector3d(1, 0, 1).normalized(), 0, 1},
+                   {"right", Vector3d(-1, 0, 1).normalized(), 0, 2}};
+    data.rules = {named(coulomb_floor(0.3), "left"), named(coulomb_floor(0.3), "right")};
+    set_rules(data, 3, {{0, 1}, {0, 2}});
+    const RigidBodies system(data);
+    State early = system.start();
+    IntegratorOptions options;
+    options.max_steps = 5000;
+    const RunReport to_rolling = integrate(system, early, 1, options);
+    CHECK(to_rolling.status == RunStatus::finished);
+    State late = early;
+    const RunReport rolling = integrate(system, late, 2, options);
+    CHECK(rolling.status == RunStatus::finished);
+    // At r/√2 from the axis it rolls about, with I = 2/5 mr²: a = g/(1 + 4/5).
+    CHECK(std::abs(late.u[1] - early.u[1] - along / 1.8) <= 1e-7);
+    CHECK(std::abs(rolling.dissipated[0].total() + rolling.dissipated[1].total()) <= 1e-7);
+  }
+}

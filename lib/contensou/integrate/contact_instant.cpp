@@ -12,6 +12,11 @@ namespace {
 /// A force this near to the border of its domain, relative to its size, is on it: contact problems are
 /// solved to 1e-12 of their largest term.
 constexpr double on_border = 1e-10;
+/// Nor do accelerations differ from zero by less, relative to the largest without contacts.
+constexpr double no_acceleration = 1e-10;
+/// Of the slip at which contacts are started: a contact that is to stick and moves by more was asked for two
+/// things at once.
+constexpr double contradicted = 0.1;
 
 }  // namespace
 
@@ -23,6 +28,7 @@ ContactInstant::ContactInstant(const MechanicalSystem& system, double solver_tol
   at_rest_.assign(count, false);
   struck_.assign(count, false);
   closed_.reserve(count);
+  still_.reserve(count);
   targets_.reserve(4 * count);
   move_.resize(system.velocities());
   rates_.resize(system.coordinates());
@@ -189,14 +195,18 @@ bool ContactInstant::decide(State& state, std::vector<ContactMode>& modes,
     return false;
   }
   const Eigen::VectorXd forces = level.forces(reduced);
+  const Eigen::VectorXd change = full.delassus * forces + full.free_velocity;
+  const double no_change = no_acceleration * full.free_velocity.lpNorm<Eigen::Infinity>();
 
   targets_.clear();
+  still_.clear();
   row = 0;
   for (const std::size_t i : closed_) {
     const int dimension = friction_[i].dimension();
     const double normal = forces[row];
     Eigen::Vector3d friction = Eigen::Vector3d::Zero();
     friction.head(dimension) = forces.segment(row + 1, dimension);
+    const double slip_change = change.segment(row + 1, dimension).norm();
     row += 1 + dimension;
     modes[i] = ContactMode::slip;
     if (!(normal > 0)) {
@@ -208,6 +218,7 @@ bool ContactInstant::decide(State& state, std::vector<ContactMode>& modes,
     const double size = system_.contacts()[i].mu * normal;
     const bool holds = friction_[i].gauge(friction) < size * (1 - on_border);
     if (holds) modes[i] = ContactMode::stick;
+    if (!holds && slip_change <= no_change) still_.push_back(i);
     Eigen::Vector3d start = Eigen::Vector3d::Zero();
     if (!holds) {
       start = -friction_[i].normal(friction);
@@ -217,17 +228,32 @@ bool ContactInstant::decide(State& state, std::vector<ContactMode>& modes,
     for (int k = 0; k < dimension; ++k) targets_.push_back({i, k + 1, start[k]});
   }
   apply(state, report);
+  hold_still(state, modes, tolerances, report);
 
   // Another contact that sticks may leave a slip no room (a cone that rolls on two spheres): then this one
   // sticks, too, and the two share their forces.
   gather(state, modes);
   for (const std::size_t i : closed_) {
-    const double factor = spin_factor(system_.contacts()[i], tolerances.length);
-    if (modes[i] == ContactMode::slip && at_rest_[i] &&
-        slip_speed(rows_[i].velocity, factor) <= tolerances.slip)
-      modes[i] = ContactMode::stick;
+    if (modes[i] == ContactMode::slip && at_rest_[i] && !slips(i, tolerances)) modes[i] = ContactMode::stick;
   }
   return true;
+}
+
+bool ContactInstant::slips(std::size_t contact, const InstantTolerances& tolerances, double part) const {
+  const double factor = spin_factor(system_.contacts()[contact], tolerances.length);
+  return slip_speed(rows_[contact].velocity, factor) > part * tolerances.slip;
+}
+
+void ContactInstant::hold_still(State& state, std::vector<ContactMode>& modes,
+                                const InstantTolerances& tolerances, RunReport& report) {
+  if (still_.empty()) return;
+  gather(state, modes);
+  const bool moved = std::any_of(closed_.begin(), closed_.end(), [&](std::size_t i) {
+    return modes[i] == ContactMode::stick && slips(i, tolerances, contradicted);
+  });
+  if (!moved) return;
+  for (const std::size_t i : still_) modes[i] = ContactMode::stick;
+  correct_velocities(state, modes, report);
 }
 
 bool ContactInstant::settle(State& state, std::vector<ContactMode>& modes,

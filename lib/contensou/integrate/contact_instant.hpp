@@ -65,6 +65,12 @@ class ContactInstant {
   void stop_slow_slip(State& state, const InstantTolerances& tolerances, RunReport& report);
   bool decide(State& state, std::vector<ContactMode>& modes, const InstantTolerances& tolerances,
               RunReport& report);
+  /// Of dependent contacts, forces can be shared in more than one way, and the one found may put on the
+  /// border a contact that nothing makes slip (`still_`). If its slip was at the cost of one that sticks, it
+  /// sticks.
+  void hold_still(State& state, std::vector<ContactMode>& modes, const InstantTolerances& tolerances,
+                  RunReport& report);
+  bool slips(std::size_t contact, const InstantTolerances& tolerances, double part = 1) const;
   /// Sets the velocities of targets_.
   void apply(State& state, RunReport& report);
   bool solved(const SolverReport& solver, const State& state, const char* what, RunReport& report) const;
@@ -75,7 +81,8 @@ class ContactInstant {
   std::vector<SlipFriction> friction_;
   std::vector<ContactRows> rows_;
   std::vector<std::size_t> closed_;
-  std::vector<bool> at_rest_;  ///< γ_F is zero
+  std::vector<std::size_t> still_;  ///< at rest, force on the border, and no acceleration of slip
+  std::vector<bool> at_rest_;       ///< γ_F is zero
   std::vector<bool> struck_;
   std::vector<Target> targets_;
   ConstraintSolver constraints_, gaps_;
