@@ -57,6 +57,13 @@ TEST_CASE("Outcomes and columns: what is not there is refused", "[scene]") {
        {"names \"contacts\""}},
   };
   for (const Refused& refused : cases) CHECK(check_refused(refused) == "");
+  // 101 columns in 1e6 rows.
+  std::string many = "output.columns=['energy'";
+  for (int i = 1; i <= 100; ++i) many += ", 'pile." + std::to_string(i) + ".x'";
+  CHECK(check_refused({{{"outcome"},
+                        {many + ']', "output.interval=1e-6", "balls.pile.count=100", "integrator.method=nscd",
+                         "integrator.step=1e-3"}},
+                       {"--set output.interval: 1e-6 makes more than 1e8 numbers"}}) == "");
   CHECK(refusal({{}, {"outcome.end.column=gap_walls_15"}}).empty());
   CHECK(refusal({{}, {"outcome.end.column=spin_hulls_2"}}).empty());
 }

@@ -94,6 +94,10 @@ void require_measurable(const SceneReader& read, const Scene& scene) {
       read.refuse("output.columns", "names " + in_quotes(column) + " twice", "each column once");
     seen.push_back(column);
   }
+  const double numbers =
+      scene.duration / scene.integrator.output_interval * static_cast<double>(columns(scene).size());
+  if (numbers > most_numbers)
+    read.refuse("output.interval", "makes more than 1e8 numbers", "a longer interval, or fewer columns");
   const bool nscd = scene.integrator.method == Method::nscd;
   for (const MeasureScene& measure : scene.measures) {
     const std::string table = "outcome." + measure.name + '.';

@@ -50,9 +50,10 @@ struct Scene {
   std::vector<const ContactScene*> contacts() const;
 };
 
-/// The most rows a trajectory may have, and the most steps a fixed-step method may be asked for: beyond them
-/// a misplaced exponent is likelier than a wish.
+/// The most rows a trajectory may have, the most numbers in them, and the most steps a fixed-step method may
+/// be asked for: beyond them a misplaced exponent is likelier than a wish.
 inline constexpr double most_rows = 1e6;
+inline constexpr double most_numbers = 1e8;
 inline constexpr double most_steps = 1e12;
 
 /// Reads a scene; what its keys are says docs/scenes.md. Throws SceneError, one line, for what is missing,
