@@ -150,8 +150,9 @@ TEST_CASE("Scene document: --unset removes a key or a table", "[scene]") {
 }
 
 TEST_CASE("Scene document: what is not TOML is refused with its line", "[scene]") {
-  for (const char* bad : {"a", "a =", "a = 1 1", "[a", "[.]", "[[=]]", "[,", "a = 1\na = 2", "a = \"",
-                          "a = 01", "a = '", "=", "a = [", "a = 2020-13-01", "a = 1e", "[[a]]\n[a]"}) {
+  for (const char* bad :
+       {"a", "a =", "a = 1 1", "[a", "[.]", "[[=]]", "[,", "a = 1\na = 2", "a = \"", "a = 01", "a = '", "=",
+        "a = [", "a = 2020-13-01", "a = 1e", "[[a]]\n[a]", "\u00e9 = 1", "a = \u00e9", "a = 1 \u00b5"}) {
     const std::string message = refusal([&] { parse_document("x = 1\n\n" + std::string(bad), "f.toml"); });
     INFO(bad << ": " << message);
     CHECK((message.starts_with("f.toml:3: ") || message.starts_with("f.toml:4: ")));
