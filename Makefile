@@ -9,7 +9,7 @@ SETUP  ?= yes
 JOBS   ?= $(shell nproc)
 
 .DEFAULT_GOAL := help
-.PHONY: help reproduce test verify bench report build setup configure clean
+.PHONY: help reproduce test verify bench report phase_map build setup configure clean
 
 help:
 	@echo 'make reproduce   everything, from nothing: verification, figures, report; fails if a claim fails'
@@ -45,7 +45,7 @@ test: build
 reproduce: configure
 	@cmake --build $(BUILD) -j $(JOBS) --target contensou_program reproduce
 
-verify bench report: configure
+verify bench report phase_map: configure
 	@cmake --build $(BUILD) -j $(JOBS) --target $@
 
 fig%: configure

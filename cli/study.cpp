@@ -67,17 +67,18 @@ std::string made_by(const Command& command, const std::vector<std::string>& vari
   return text + ", version " CONTENSOU_VERSION;
 }
 
+/// The scene's outcomes; where it names none, the last values of all columns.
+std::vector<MeasureScene> measures(const Scene& scene) {
+  return scene.measures.empty() ? contensou::last_values(scene) : scene.measures;
+}
+
 std::vector<std::string> names(const std::vector<MeasureScene>& measures) {
   std::vector<std::string> names;
   for (const MeasureScene& measure : measures) names.push_back(measure.name);
   return names;
 }
 
-void require_outcomes(const std::string& scene, const std::vector<std::string>& outcomes) {
-  if (outcomes.empty())
-    throw BadInput(scene +
-                   ": there is no outcome to make a column of; expected at least one [outcome.NAME], or "
-                   "--set 'outcome.NAME={kind=\"final\", column=\"energy\"}'");
+void require_other_names(const std::string& scene, const std::vector<std::string>& outcomes) {
   for (const std::string& outcome : outcomes) {
     bool taken = outcome == first_column;
     for (const char* column : last_columns) taken = taken || outcome == column;
@@ -103,7 +104,8 @@ Scene scene_of(const Study& study, std::size_t run) {
 
 std::vector<double> evaluated(const Scene& scene, const contensou::Outcome& outcome) {
   std::vector<double> numbers;
-  for (const MeasureScene& measure : scene.measures) numbers.push_back(contensou::evaluate(measure, outcome));
+  for (const MeasureScene& measure : measures(scene))
+    numbers.push_back(contensou::evaluate(measure, outcome));
   return numbers;
 }
 
@@ -119,8 +121,8 @@ Study make_study(const Command& command, const std::vector<std::string>& variati
     throw BadInput(error.what());
   }
   study.document = changed_document(command);
-  study.outcomes = names(scene_of(study, 0).measures);
-  require_outcomes(study.document.file, study.outcomes);
+  study.outcomes = names(measures(scene_of(study, 0)));
+  require_other_names(study.document.file, study.outcomes);
 
   SweepHeader& header = study.header;
   header.comments = {
@@ -136,11 +138,18 @@ Study make_study(const Command& command, const std::vector<std::string>& variati
 }
 
 std::optional<std::string> complaint(const Study& study, std::size_t run) {
+  const auto of_run = [&](const std::string& what) {
+    return contensou::describe(study.grid, run) + ": " + what;
+  };
   try {
-    if (names(scene_of(study, run).measures) == study.outcomes) return {};
-    return contensou::describe(study.grid, run) + ": has other outcomes than run 0; expected the same";
+    const Scene scene = scene_of(study, run);
+    contensou::compose(scene);
+    if (names(measures(scene)) == study.outcomes) return {};
+    return of_run("has other outcomes than run 0; expected the same");
   } catch (const BadInput& error) {
     return error.what();
+  } catch (const std::exception& error) {
+    return of_run(printable(error.what()));
   }
 }
 

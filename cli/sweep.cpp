@@ -42,7 +42,8 @@ constexpr const char* description =
     "run finishes:\n"
     "    run                        its number, from 0\n"
     "    a column each --vary       the value\n"
-    "    a column each outcome      of the scene's tables [outcome.NAME]; nan: there is none\n"
+    "    a column each outcome      of the scene's tables [outcome.NAME]; nan: it has no number here;\n"
+    "                               where there is no such table, the last value of each column\n"
     "    status steps wall_seconds  finished, or how the run ended: then its outcomes are nan\n"
     "Killed at any moment, the same command goes on where it was. At the end the rows are put in order, and "
     "but "
@@ -51,11 +52,12 @@ constexpr const char* description =
 
 constexpr const char* examples =
     "Examples:\n"
-    "  contensou sweep scenes/tippe_top.toml --vary contact.body.radius=1e-6:1e-3:4:log --vary "
-    "initial.psi_dot=60:240:7\n"
-    "  contensou sweep scenes/tippe_top.toml --vary integrator.method=moreau,rk4 --vary "
-    "integrator.step=1e-5:1e-3:9:log\n"
-    "  mpirun -n 4 contensou sweep scenes/tippe_top.toml --vary initial.psi_dot=60:250:1000\n\n"
+    "  contensou sweep scenes/bouncing_ball.toml --vary contact.table.restitution=0.5:0.9:5\n"
+    "  contensou sweep scenes/sidespin.toml --vary contact.cloth.radius=1e-4:4e-3:4:log --vary "
+    "contact.cloth.pressure=uniform,hertz\n"
+    "  contensou sweep scenes/tippe_top.toml --vary initial.psi_dot=60:240:4 --jobs 1 --quiet --out "
+    "disc.tsv\n"
+    "  mpirun -n 4 contensou sweep scenes/sliding_disc.toml --vary body.puck.spin=10:100:1000\n\n"
     "Under MPI, where it was built with it (Debian: libopenmpi-dev), the first process has the file and each "
     "does one run\n"
     "at a time. Ctrl-C lets the runs that were begun finish; a second one does not.";

@@ -58,3 +58,28 @@ add_custom_command(OUTPUT ${report_data}/animation.tsv
   COMMENT "Animation: motion" VERBATIM)
 add_custom_target(animation DEPENDS ${report_data}/animation.tsv)
 list(APPEND figure_files ${report_data}/animation.tsv)
+
+# A study by the program itself: does the top invert, and when, over contact radius and spin? Inversion times to 1e-5 s.
+set(top_scene ${PROJECT_SOURCE_DIR}/scenes/tippe_top.toml)
+add_custom_command(OUTPUT ${report_data}/phase_map.tsv
+  COMMAND contensou_program sweep ${top_scene} --set integrator.tolerance=1e-8 --set output.interval=5e-3
+    --set "outcome.inversion={kind=\"crossing\", column=\"theta\", value=1.5707963267948966}"
+    --set "outcome.stick={kind=\"event\", event=\"close\", contact=\"tip\"}"
+    --vary contact.body.radius=1e-6:3e-3:40:log --vary initial.psi_dot=40:250:43
+    --restart --out ${report_data}/phase_map.tsv
+  DEPENDS contensou_program ${top_scene}
+  COMMENT "Phase map of inversion: 1720 runs" USES_TERMINAL VERBATIM)
+add_executable(figure_phase_map phase_map/phase_map.cpp)
+target_link_libraries(figure_phase_map PRIVATE reproduce_common contensou_options)
+add_custom_command(OUTPUT ${report_data}/phase_map_spins.tsv
+  COMMAND figure_phase_map --out ${report_data}
+  DEPENDS figure_phase_map
+  COMMENT "Phase map of inversion: least spins" VERBATIM)
+add_custom_command(OUTPUT ${report_figures}/phase_map.svg
+  COMMAND ${CMAKE_COMMAND} -E make_directory ${report_figures}
+  COMMAND ${GNUPLOT} -e "style='${CMAKE_CURRENT_SOURCE_DIR}/style.gp'; data='${report_data}'; figures='${report_figures}'"
+          ${CMAKE_CURRENT_SOURCE_DIR}/phase_map/phase_map.gp
+  DEPENDS ${report_data}/phase_map.tsv ${report_data}/phase_map_spins.tsv phase_map/phase_map.gp style.gp
+  COMMENT "Phase map of inversion: drawing" VERBATIM)
+add_custom_target(phase_map DEPENDS ${report_figures}/phase_map.svg)
+list(APPEND figure_files ${report_data}/phase_map.tsv ${report_data}/phase_map_spins.tsv ${report_figures}/phase_map.svg)

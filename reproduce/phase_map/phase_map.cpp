@@ -1,9 +1,9 @@
 // Beside the phase map of inversion, which contensou sweep computes: at which spin the top could at best lie
 // on its side, and touch the floor with its stick.
 //
-// Where friction only slides, at the lowest point C of the body, Jellet's integral J = −L·SC is conserved: the
-// torque about S is SC × λ. Of all motions with one J and one inclination the one that has the least energy
-// turns about SC, at rest in C and S, and has
+// Where friction only slides, at the lowest point C of the body, Jellet's integral J = −L·SC is conserved:
+// the torque about S is SC × λ. Of all motions with one J and one inclination the one that has the least
+// energy turns about SC, at rest in C and S, and has
 //     V(θ) = mg(r1 − a1 cos θ) + J²/(2 D(θ)),   D = I1 r1² sin²θ + I3 (r1 cos θ − a1)²
 // Sliding takes energy until it is least. V' = 0 means
 //     J² = m g a1 D²/(r1 ((I1 − I3) r1 cos θ + I3 a1))
@@ -38,8 +38,9 @@ void write(const std::filesystem::path& folder) {
   constexpr double from = 0.1;  // scenes/tippe_top.toml
   const double both_touch = (top.r1 - top.r2) / (top.a1 - top.a2);
   Table table;
-  table.comments = {"least spins at which the top of LG03 5.4 could lie on its side, and touch with its stick",
-                    "units: rad, rad/s", "by: Jellet's integral, least energy, no drilling torque"};
+  table.comments = {
+      "least spins at which the top of LG03 5.4 could lie on its side, and touch with its stick",
+      "units: rad, rad/s", "by: Jellet's integral, least energy, no drilling torque"};
   table.columns = {"what", "theta", "psi_dot"};
   table.add({std::string("side"), std::acos(0.0), least_spin(top, from, 0)});
   table.add({std::string("stick"), std::acos(both_touch), least_spin(top, from, both_touch)});

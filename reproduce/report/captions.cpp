@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <stdexcept>
 
@@ -193,6 +194,46 @@ std::string inversion_over_radius(const fs::path&) {
          "torque away hardly changes the inversion; but then the top stays upright for ever.";
 }
 
+// How many runs of the phase map have a time in this column, and the least spin of them.
+struct Happened {
+  std::size_t runs = 0;
+  double least_spin = 0;
+};
+
+Happened happened(const Table& map, const char* column) {
+  const std::vector<std::string> times = map.texts(column);
+  const std::vector<double> spins = map.numbers("initial.psi_dot");
+  Happened found;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (times[i] == "nan") continue;
+    found.least_spin = found.runs == 0 ? spins[i] : std::min(found.least_spin, spins[i]);
+    ++found.runs;
+  }
+  return found;
+}
+
+std::string phase_map(const fs::path& data) {
+  const Table map = contensou::read_table(data / "phase_map.tsv");
+  const Happened side = happened(map, "inversion"), stick = happened(map, "stick");
+  const Table least_table = contensou::read_table(data / "phase_map_spins.tsv");
+  const auto least = [&](const char* what) {
+    return rounded(Selection(least_table).where("what", what).first("psi_dot"), 3);
+  };
+  return fmt::format(
+      "When the top of Section 5.4 first lies on its side, over the contact radius of its body and its spin "
+      "at "
+      "the start: within 8 s {} of {} runs get there, from {:.0f} rad/s, and {} onto the stick, from {:.0f} "
+      "rad/s, both with the least spin where <i>R</i> is between 10<sup>−4</sup> and 10<sup>−3</sup> m. With "
+      "a "
+      "smaller radius the contact rolls more and slides less, with a larger one the drilling torque takes "
+      "the "
+      "spin before the top is up; if sliding alone took energy, Jellet’s integral would ask for {} and {} "
+      "rad/s "
+      "at any radius.",
+      side.runs, map.rows.size(), side.least_spin, stick.runs, stick.least_spin, least("side"),
+      least("stick"));
+}
+
 }  // namespace
 
 std::string caption(const std::string& name, const fs::path& data) {
@@ -204,6 +245,7 @@ std::string caption(const std::string& name, const fs::path& data) {
       {"integrator_orders", integrator_orders},
       {"cost_projection", cost_projection},
       {"cost_solvers", cost_solvers},
+      {"phase_map", phase_map},
       {"robustness", robustness},
       {"story", story},
       {"inversion_over_radius", inversion_over_radius},

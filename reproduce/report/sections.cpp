@@ -147,6 +147,7 @@ std::string top_section(const fs::path& report) {
                  "story",
                  {"event_story", "story_hypotheses"}},
                 {"How fast it inverts", "inversion_over_radius", {"inversion_over_radius", "coulomb_limit"}},
+                {"Does it invert?", "phase_map", {"phase_map_spins", "phase_map"}},
                 {"Where it ends", "", {"end_states"}}});
 }
 

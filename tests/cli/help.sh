@@ -3,7 +3,7 @@
 
 run --help
 succeeds
-for word in 'Usage: contensou' law project simulate effects --version 'Leine' 'Exit status'; do
+for word in 'Usage: contensou' law project simulate effects sweep --version 'Leine' 'Exit status'; do
   check "'$word' is missing" grep -qF -e "$word" "$folder/out"
 done
 
@@ -35,15 +35,22 @@ for word in 'Usage: contensou effects' SCENE --set --unset --audit --out --repea
   check "'$word' is missing" grep -qF -e "$word" "$folder/out"
 done
 
+run sweep --help
+succeeds
+for word in 'Usage: contensou sweep' SCENE --set --unset --vary KEY=A:B:N:log --out --jobs --restart --quiet wall_seconds \
+  '[outcome.NAME]' mpirun Examples; do
+  check "'$word' is missing" grep -qF -e "$word" "$folder/out"
+done
+
 # The examples of the help do what they are there for.
 scenes=$(cd "$(dirname "$0")/../../scenes" && pwd)
 cd "$folder" || exit 1
 ln -s "$scenes" scenes
-for subcommand in law project simulate effects; do
+for subcommand in law project simulate effects sweep; do
   run "$subcommand" --help
   # Help is for reading: no line is longer than 120 characters.
   check "a line is too long" awk 'length($0) > 120 { exit 1 }' out
-  grep "^  .*contensou $subcommand" out | sed "s|contensou $subcommand|\"$program\" $subcommand|" >examples
+  grep "^  .*contensou $subcommand" out | grep -v mpirun | sed "s|contensou $subcommand|\"$program\" $subcommand|" >examples
   check "three examples expected" [ "$(wc -l <examples)" -eq 3 ]
   while IFS= read -r example; do
     command=$example
@@ -52,6 +59,7 @@ for subcommand in law project simulate effects; do
 done
 check "the example with --out made no file" [ -s law.tsv ]
 check "the example with --out made no file" [ -s points.tsv ]
+check "the example with --out made no file" [ -s top.tsv ]
 check "the example with --out made no folder" [ -s small_radius/summary.json ]
 check "the example with --out made no folder" [ -s worth/audit.svg ]
 

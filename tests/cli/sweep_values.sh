@@ -28,6 +28,12 @@ check "inversion $(at 5 4)" awk -F '\t' -v t="$(at 5 4)" '
   END { if (!found) exit 1 }' point/trajectory.tsv
 check "an inversion by 2 s where there is none" [ "$(at 1 4)" = nan ]
 
+# Where the scene names no outcome: the last values of all columns.
+run sweep top.toml --unset outcome --set scene.duration=2 --set contact.body.radius=1e-4 --vary initial.psi_dot=180 --quiet --out last.tsv
+succeeds
+check "the columns" [ "$(grep '^run' last.tsv | cut -f 3-6)" = "$(grep '^t' point/trajectory.tsv | cut -f 2-5)" ]
+check "the values" [ "$(grep '^0' last.tsv | cut -f 3-6)" = "$(tail -n 1 point/trajectory.tsv | cut -f 2-5)" ]
+
 # One job, three jobs: the same but for wall_seconds. --quiet says nothing. Words as values.
 for jobs in 1 3; do
   sweep --set scene.duration=2 --vary contact.body.radius=1e-5:1e-3:3:log --vary initial.psi_dot=150:240:4 --jobs $jobs \

@@ -26,15 +26,6 @@ struct GivenUp : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-std::vector<MeasureScene> last_values(const Scene& scene) {
-  std::vector<MeasureScene> measures;
-  for (const std::string& column : columns(scene)) {
-    MeasureScene& measure = measures.emplace_back();
-    measure.name = measure.column = column;
-  }
-  return measures;
-}
-
 class Auditor {
  public:
   Auditor(const SceneDocument& document, const AuditOptions& options)

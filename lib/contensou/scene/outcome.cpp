@@ -5,6 +5,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "contensou/scene/columns.hpp"
+
 namespace contensou {
 namespace {
 
@@ -98,6 +100,15 @@ const char* name(Kind kind) {
       return "trajectory";
   }
   return "";
+}
+
+std::vector<MeasureScene> last_values(const Scene& scene) {
+  std::vector<MeasureScene> measures;
+  for (const std::string& column : columns(scene)) {
+    MeasureScene& measure = measures.emplace_back();
+    measure.name = measure.column = column;
+  }
+  return measures;
 }
 
 double evaluate(const MeasureScene& measure, const Outcome& outcome) {

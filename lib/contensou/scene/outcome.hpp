@@ -8,6 +8,9 @@
 
 namespace contensou {
 
+/// What a scene that names no outcome is judged by: the last values of all columns.
+std::vector<MeasureScene> last_values(const Scene& scene);
+
 /// The number that a run gives a measure; NaN where there is none (an event that did not happen). Throws
 /// std::invalid_argument with one line for a column or contact that the run does not have.
 double evaluate(const MeasureScene& measure, const Outcome& outcome);
