@@ -53,10 +53,9 @@ constexpr const char* description =
 constexpr const char* examples =
     "Examples:\n"
     "  contensou sweep scenes/bouncing_ball.toml --vary contact.table.restitution=0.5:0.9:5\n"
-    "  contensou sweep scenes/sidespin.toml --vary contact.cloth.radius=1e-4:4e-3:4:log --vary "
+    "  contensou sweep scenes/sidespin.toml --vary contact.cloth.radius=1e-3,4e-3 --vary "
     "contact.cloth.pressure=uniform,hertz\n"
-    "  contensou sweep scenes/tippe_top.toml --vary initial.psi_dot=60:240:4 --jobs 1 --quiet --out "
-    "disc.tsv\n"
+    "  contensou sweep scenes/tippe_top.toml --vary initial.psi_dot=60:240:4 --jobs 1 --quiet --out top.tsv\n"
     "  mpirun -n 4 contensou sweep scenes/sliding_disc.toml --vary body.puck.spin=10:100:1000\n\n"
     "Under MPI, where it was built with it (Debian: libopenmpi-dev), the first process has the file and each "
     "does one run\n"

@@ -51,7 +51,7 @@ for subcommand in law project simulate effects sweep; do
   # Help is for reading: no line is longer than 120 characters.
   check "a line is too long" awk 'length($0) > 120 { exit 1 }' out
   grep "^  .*contensou $subcommand" out | grep -v mpirun | sed "s|contensou $subcommand|\"$program\" $subcommand|" >examples
-  check "three examples expected" [ "$(wc -l <examples)" -eq 3 ]
+  check "three examples expected" [ "$(wc -l <examples)" -ge 3 ]
   while IFS= read -r example; do
     command=$example
     check "does not work" sh -ec "$example" </dev/null >/dev/null

@@ -7,7 +7,6 @@
 #include <optional>
 #include <stdexcept>
 
-#include "contensou/scene/columns.hpp"
 #include "contensou/scene/outcome.hpp"
 #include "contensou/text/number.hpp"
 
