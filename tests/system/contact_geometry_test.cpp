@@ -43,11 +43,15 @@ TEST_CASE("Spheres: gap, and points that touch", "[system][bodies]") {
   CHECK(sphere_gap({1, 2, 2}, 0.5, {0, 0, 0}, 1.5) == 1);
   const MovingSphere one{{1, 2, 2}, {0.1, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 0.5};
   const MovingSphere other{{0, 0, 0}, {0, -0.2, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 1.5};
-  const SphereContact contact = sphere_contact(one, other);
+  const SphereContact contact = sphere_contact(one, other, true);
   const Vector3d n = Vector3d(1, 2, 2) / 3;
   CHECK((contact.axes.col(0) - n).norm() <= 1e-16);
   CHECK((contact.lever - (Vector3d(0.1, 0, 0) - 0.5 * n)).norm() <= 1e-15);
   CHECK((contact.other - (Vector3d(0, -0.2, 0) + 1.5 * n)).norm() <= 1e-15);
   CHECK(contact.drift.norm() == 0);
   CHECK(contact.spin_drift == 0);
+  const SphereContact smooth = sphere_contact(one, other, false);
+  CHECK((smooth.axes.col(0) - contact.axes.col(0)).norm() == 0);
+  CHECK((smooth.lever - contact.lever).norm() == 0);
+  CHECK(smooth.axes.rightCols<2>().isZero(0));
 }

@@ -45,26 +45,30 @@ double sphere_gap(const Vector3d& centre, double radius, const Vector3d& other, 
   return (centre - other).norm() - (radius + other_radius);
 }
 
-SphereContact sphere_contact(const MovingSphere& sphere, const MovingSphere& other) {
+SphereContact sphere_contact(const MovingSphere& sphere, const MovingSphere& other, bool friction) {
   const Vector3d between = sphere.centre - other.centre;
   const double distance = between.norm();
   const Vector3d normal = between / distance;
   const Vector3d approach = sphere.velocity - other.velocity;
   const Vector3d normal_rate = (approach - normal.dot(approach) * normal) / distance;
-  const Vector3d rolling = sphere.radius * sphere.spin + other.radius * other.spin;
-  const Vector3d slip = approach - rolling.cross(normal);
   const Vector3d bend = sphere.acceleration - other.acceleration;
-  const Matrix3d axes_rate = contact_axes_rate(normal, normal_rate);
 
   SphereContact contact;
-  contact.axes = contact_axes(normal);
   contact.lever = sphere.arm - sphere.radius * normal;
   contact.other = other.arm + other.radius * normal;
-  contact.drift =
-      axes_rate.transpose() * slip + contact.axes.transpose() * (bend - rolling.cross(normal_rate)).eval();
+  if (friction) {
+    const Vector3d rolling = sphere.radius * sphere.spin + other.radius * other.spin;
+    const Vector3d slip = approach - rolling.cross(normal);
+    const Vector3d slip_rate = bend - rolling.cross(normal_rate);
+    contact.axes = contact_axes(normal);
+    contact.drift = contact_axes_rate(normal, normal_rate).transpose() * slip;
+    contact.drift += contact.axes.transpose() * slip_rate;
+    contact.spin_drift = normal_rate.dot(sphere.spin - other.spin);
+  } else {
+    contact.axes.col(0) = normal;
+  }
   // In γ_N both parts have one that cancels.
   contact.drift[0] = normal_rate.dot(approach) + normal.dot(bend);
-  contact.spin_drift = normal_rate.dot(sphere.spin - other.spin);
   return contact;
 }
 

@@ -26,16 +26,18 @@ struct MovingSphere {
 /// The contact of a sphere with another: n from the other one to it. Rows in the order of `axes`:
 ///     γ_k = axis_k·V,   V = v_P − v_Q the velocity of the one's point P against the other's point Q.
 struct SphereContact {
-  Eigen::Matrix3d axes;   ///< n, t_1, t_2
-  Eigen::Vector3d lever;  ///< from the centre of mass to P
-  Eigen::Vector3d other;  ///< from the other one's centre of mass to Q
-  Eigen::Vector3d drift;  ///< rates of γ_N, γ_T1, γ_T2 at u̇ = 0, those of the axes included
-  double spin_drift;      ///< the rate of n·(ω − ω_other) at u̇ = 0 [1/s²]
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Zero();  ///< n, t_1, t_2
+  Eigen::Vector3d lever;                           ///< from the centre of mass to P
+  Eigen::Vector3d other;                           ///< from the other one's centre of mass to Q
+  Eigen::Vector3d drift =
+      Eigen::Vector3d::Zero();  ///< rates of γ_N, γ_T1, γ_T2 at u̇ = 0, those of the axes included
+  double spin_drift = 0;        ///< the rate of n·(ω − ω_other) at u̇ = 0 [1/s²]
 };
 
 double sphere_gap(const Eigen::Vector3d& centre, double radius, const Eigen::Vector3d& other,
                   double other_radius);
-/// Centres must not coincide, or what is returned is not finite.
-SphereContact sphere_contact(const MovingSphere& sphere, const MovingSphere& other);
+/// Centres must not coincide, or what is returned is not finite. Without friction only n, the levers and the
+/// rate of γ_N are worked out.
+SphereContact sphere_contact(const MovingSphere& sphere, const MovingSphere& other, bool friction);
 
 }  // namespace contensou

@@ -207,7 +207,7 @@ void RigidBodies::contact_rows(std::size_t contact, double t, ConstVector q, Con
   Eigen::Vector4d drift;
   if (pair.other) {
     const Instant other = instant(*pair.other, t, q, u);
-    const SphereContact geometry = sphere_contact(side.sphere, other.sphere);
+    const SphereContact geometry = sphere_contact(side.sphere, other.sphere, count > 1);
     add(pair.side, side, {1, geometry.lever, geometry.axes, radius, count}, rows);
     add(*pair.other, other, {-1, geometry.other, geometry.axes, radius, count}, rows);
     drift << geometry.drift, radius * geometry.spin_drift;
