@@ -96,6 +96,12 @@ std::string summary(const Command& command, const Scene& scene, const Outcome& o
               {"dissipated", outcome.energy.dissipated},
               {"imbalance", outcome.energy.imbalance()},
               {"relative", outcome.energy.relative()}}}};
+  if (scene.fidelity) {
+    json["fidelity"] = *scene.fidelity;
+    json["left_out"] = {{"contacts_as_coulomb", report.left_out.as_coulomb},
+                        {"largest_error_of_friction", report.left_out.friction},
+                        {"bound_of_impulses", report.left_out.impulse}};
+  }
   if (const auto* top = std::get_if<TippeTopScene>(&scene.system))
     json["formulation"] = top->formulation == TippeTopScene::Formulation::euler ? "euler" : "axis";
   constexpr int indent = 2;

@@ -25,7 +25,7 @@ Outcome curve(int n, const std::function<double(double)>& f) {
 MeasureScene of_x(Kind kind, double value = 0) {
   MeasureScene measure;
   measure.kind = kind;
-  measure.column = "x";
+  measure.column = std::string("x");
   measure.value = value;
   return measure;
 }
