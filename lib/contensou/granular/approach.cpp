@@ -27,6 +27,7 @@ void look_at(const PairList& list, const BodyMotion& motion, std::vector<Approac
     a.arm = arm_of(shape, pose);
     const Vector3d centre = pose.position + a.arm;
     std::size_t second = still;
+    double size = shape.size;
     double lead_way = 0;  // by how much the gap changed up to where it is looked at
     if (list.is_plane(pair)) {
       const PlaneData& plane = list.plane(pair);
@@ -36,6 +37,7 @@ void look_at(const PairList& list, const BodyMotion& motion, std::vector<Approac
     } else {
       const Shape& other = list.shapes()[pair.second];
       second = other.body;
+      size = std::min(size, other.size);
       const Pose& other_pose = motion.pose()[second];
       a.other = arm_of(other, other_pose);
       const Vector3d between = centre - (other_pose.position + a.other);
@@ -49,6 +51,7 @@ void look_at(const PairList& list, const BodyMotion& motion, std::vector<Approac
     const Twist& twist = motion.before()[shape.body];
     lead_way += pose.lead * a.normal.dot(twist.v + twist.omega.cross(a.arm));
     a.gap -= lead_way;
+    a.touching = touching_part * size;
     if (!shape.base) a.arm -= shape.radius * a.normal;
     a.before = a.velocity(twist, motion.before()[second]);
     a.free = a.velocity(motion.free()[shape.body], motion.free()[second]);
@@ -56,9 +59,12 @@ void look_at(const PairList& list, const BodyMotion& motion, std::vector<Approac
 }
 
 double normal_target(const Approach& a, double restitution, double dt) {
-  const double closing = -a.gap / dt;
+  constexpr double part = 0.1;
+  double closing = 0;
+  if (a.gap > a.touching) closing = -a.gap / dt;
+  if (a.gap < -a.touching) closing = -part * (a.gap + a.touching) / dt;
   const double bounce = -restitution * a.before;
-  const bool bounces = bounce > std::abs(a.free - a.before) && a.free <= closing;
+  const bool bounces = bounce > std::abs(a.free - a.before) && a.gap + dt * a.free <= 0;
   return bounces ? std::max(bounce, closing) : closing;
 }
 

@@ -9,6 +9,9 @@ namespace {
 using Touch = BodyMotion::Touch;
 using Eigen::Vector3d;
 
+/// What a step with mean velocities may add to a penetration, in parts of what counts as none.
+constexpr double slack = 0.1;
+
 /// Something to share by where a dragged body has no impulse [N s].
 constexpr double least = 1e-200;
 
@@ -38,8 +41,7 @@ void decide_touch(ContactSet& set, const std::vector<Approach>& approach, const 
       for (const auto& c : blocks) {
         if (dragged(c.first) && dragged(c.second)) continue;
         const Approach& a = approach[c.pair];
-        const double slack = dt / 2 * std::abs(a.free - a.before);
-        if (a.gap + dt * a.velocity(moves(c.first), moves(c.second)) >= -slack) continue;
+        if (a.gap + dt * a.velocity(moves(c.first), moves(c.second)) >= -slack * a.touching) continue;
         touch[c.first] = Touch::dragged;
         if (c.second < still) touch[c.second] = Touch::dragged;
         more = true;

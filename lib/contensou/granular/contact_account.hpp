@@ -7,8 +7,8 @@
 namespace contensou {
 
 /// How each body moves in a step whose velocities are known: touched where an impulse acts on it; dragged
-/// where the mean velocity of a touched contact's bodies would end the step with a gap below zero by more
-/// than smooth forces explain (u⁺ does not). Dragging spreads from contact to contact until no gap asks for
+/// where the mean velocity of a touched contact's bodies would end the step with a gap below zero (u⁺ does
+/// not). Dragging spreads from contact to contact until no gap asks for
 /// more. `touch`: one for each body.
 void decide_touch(ContactSet& set, const std::vector<Approach>& approach, const std::vector<Twist>& before,
                   const std::vector<Twist>& after, double dt, std::vector<BodyMotion::Touch>& touch);

@@ -25,6 +25,8 @@ struct ContactBlock {
   double radius;                              ///< R [m]; four rows
   double target;                              ///< c [m/s]: 0 <= γ_N − c ⊥ Λ_N >= 0
   double step;                                ///< r of the natural map [kg]
+  double weight;                              ///< √r
+  bool plain;                                 ///< W_ii is diagonal, both tangential entries the same
   Eigen::Matrix<double, rows, rows> w;        ///< W_ii [1/kg]
   Vector impulse;                             ///< Λ [N s]
 

@@ -1,6 +1,7 @@
 #include "contensou/granular/contact_set.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "contensou/contact/blocks.hpp"
 
@@ -24,6 +25,20 @@ Eigen::Matrix<double, 3, directions> axes_of(const Vector3d& n) {
   return axes;
 }
 
+/// As it is of spheres about centres of mass.
+template <int rows>
+bool is_plain(const Eigen::Matrix<double, rows, rows>& w) {
+  if constexpr (rows < 3) {
+    return true;
+  } else {
+    constexpr double rounding = 0x1p-48;
+    const double small = rounding * w.diagonal().minCoeff();
+    const Eigen::Matrix<double, rows, rows> beside =
+        w - Eigen::Matrix<double, rows, rows>(w.diagonal().asDiagonal());
+    return beside.cwiseAbs().maxCoeff() <= small && std::abs(w(1, 1) - w(2, 2)) <= small;
+  }
+}
+
 /// R under the load of the last step; of a pair that did not touch then, under what stops it alone.
 double radius_under_load(const SystemContact& rule, const NearPair& pair, const PairList& list,
                          const Approach& approach, double normal_block, double target, double dt) {
@@ -44,6 +59,8 @@ double radius_under_load(const SystemContact& rule, const NearPair& pair, const 
 void ContactSet::clear() {
   order_.clear();
   runs_.clear();
+  rows_ = 0;
+  largest_run_ = 0;
   std::apply([](auto&... blocks) { (blocks.clear(), ...); }, blocks_);
 }
 
@@ -75,6 +92,8 @@ void ContactSet::build(const PairList& list, const std::vector<Approach>& approa
           auto& blocks = std::get<std::vector<ContactBlock<rows>>>(blocks_);
           runs_.push_back({&rule.friction, rule.mu, begin->rule, begin->colour, blocks.size(),
                            static_cast<std::size_t>(end - begin)});
+          rows_ += rows * static_cast<Eigen::Index>(end - begin);
+          largest_run_ = std::max(largest_run_, static_cast<std::size_t>(end - begin));
           for (auto it = begin; it != end; ++it) {
             const NearPair& pair = list.pairs()[it->pair];
             const Approach& a = approach[it->pair];
@@ -95,6 +114,8 @@ void ContactSet::build(const PairList& list, const std::vector<Approach>& approa
               c.impulse[3] = pair.drilling;
             }
             c.step = natural_step(row_sum_norm(c.w), 1);
+            c.weight = std::sqrt(c.step);
+            c.plain = is_plain(c.w);
             c.impulse.template head<ContactBlock<rows>::directions>() = c.axes.transpose() * pair.impulse;
             c.impulse[0] = std::max(c.impulse[0], 0.0);
           }

@@ -37,6 +37,8 @@ class ContactSet {
 
   std::size_t size() const { return order_.size(); }
   const std::vector<Run>& runs() const { return runs_; }
+  Eigen::Index rows() const { return rows_; }               ///< of all contacts
+  std::size_t largest_run() const { return largest_run_; }  ///< contacts
 
   /// Calls function(domain, run, blocks) for each run in order, `blocks` a span of ContactBlock<rows>. The
   /// kind of friction is looked up here, once for each run.
@@ -62,6 +64,8 @@ class ContactSet {
   void sort(const PairList& list);
 
   const BodiesData& data_;
+  Eigen::Index rows_ = 0;
+  std::size_t largest_run_ = 0;
   Colouring colouring_;
   std::vector<Order> order_;
   std::vector<Run> runs_;

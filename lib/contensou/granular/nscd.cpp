@@ -94,7 +94,8 @@ RunReport run_nscd(const BodiesData& data, State& state, double t_end, const Int
   NscdCounts& met = counts ? *counts : unwanted;
   met = {};
   const EqualSteps steps(state.t, t_end, options.step);
-  NscdStep step(layout, options, report, met);
+  WorkerTeam team(threads);
+  NscdStep step(layout, options, team, report, met);
   step.require_apart(state, options.step);
   met = {};
   Shower shower(layout, state, t_end, options.output_interval, observer);

@@ -42,7 +42,7 @@ struct NscdCounts {
 ///
 /// `state`: as BodyLayout(data) lays it out; moved on to t_end or as far as it comes. The observer is shown
 /// samples as integrate() shows them, linear within a step, with no modes. The report has no events;
-/// inclusions that are not solved to solver_tolerance (in at most 200 sweeps) do not end the run: they are
+/// inclusions that are not solved to solver_tolerance (in at most 1000 sweeps) do not end the run: they are
 /// counted, and worst_residual says how bad. options: step, solver_tolerance, output_interval, max_steps,
 /// fidelity. The result is the same to the last bit for any number of threads >= 1.
 ///

@@ -9,7 +9,7 @@
 namespace contensou {
 namespace {
 
-constexpr int most_sweeps = 200;
+constexpr int most_sweeps = 1000;
 /// Of contacts that close by the impulses of others: each round lets an impact go one contact farther.
 constexpr int most_rounds = 10;
 /// How near counts as touching, in parts of the smallest radius: what rests is not left out by rounding.
@@ -20,15 +20,15 @@ constexpr double penetration_limit = 1e-6;
 
 }  // namespace
 
-NscdStep::NscdStep(const BodyLayout& layout, const IntegratorOptions& options, RunReport& report,
-                   NscdCounts& counts)
+NscdStep::NscdStep(const BodyLayout& layout, const IntegratorOptions& options, WorkerTeam& team,
+                   RunReport& report, NscdCounts& counts)
     : layout_(layout),
       report_(report),
       counts_(counts),
       motion_(layout),
       list_(layout.data()),
       set_(layout.data()),
-      solver_(options.solver_tolerance, most_sweeps),
+      solver_(options.solver_tolerance, most_sweeps, team),
       room_(layout.bodies()),
       reach_(layout.bodies()),
       touch_(layout.bodies(), BodyMotion::Touch::untouched),

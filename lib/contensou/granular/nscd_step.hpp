@@ -11,8 +11,9 @@ namespace contensou {
 /// The steps of run_nscd, and all they need to remember.
 class NscdStep {
  public:
-  /// Layout, report and counts outlive it.
-  NscdStep(const BodyLayout& layout, const IntegratorOptions& options, RunReport& report, NscdCounts& counts);
+  /// Layout, team, report and counts outlive it.
+  NscdStep(const BodyLayout& layout, const IntegratorOptions& options, WorkerTeam& team, RunReport& report,
+           NscdCounts& counts);
 
   /// Throws std::invalid_argument, one line, where surfaces that can touch are in each other, by
   /// more than steps of length dt leave.

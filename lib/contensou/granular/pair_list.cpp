@@ -11,6 +11,7 @@ namespace {
 constexpr double steps_ahead = 8;
 constexpr double least_room = 0.1;
 constexpr double most_room = 0.5;
+constexpr double least_size = 1e-3;  // of a base [m]
 
 }  // namespace
 
@@ -19,14 +20,15 @@ PairList::PairList(const BodiesData& data) : data_(data) {
     const BodyData& body = data.bodies[i];
     double smallest = std::numeric_limits<double>::infinity();
     for (const SphereData& sphere : body.spheres) {
-      shapes_.push_back(
-          {static_cast<std::uint32_t>(i), sphere.centre, sphere.radius, sphere.surface, false, sphere.name});
+      shapes_.push_back({static_cast<std::uint32_t>(i), sphere.centre, sphere.radius, sphere.radius,
+                         sphere.surface, false, sphere.name});
       smallest = std::min(smallest, sphere.radius);
     }
     if (body.base) {
-      shapes_.push_back({static_cast<std::uint32_t>(i), Eigen::Vector3d::Zero(), body.base->height,
+      const double size = std::max(body.base->height, least_size);
+      shapes_.push_back({static_cast<std::uint32_t>(i), Eigen::Vector3d::Zero(), body.base->height, size,
                          body.base->surface, true, body.base->name});
-      smallest = std::min(smallest, std::max(body.base->height, 1e-3));
+      smallest = std::min(smallest, size);
     }
     smallest_radius_.push_back(smallest);
   }

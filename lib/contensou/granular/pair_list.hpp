@@ -15,6 +15,7 @@ struct Shape {
   std::uint32_t body;
   Eigen::Vector3d centre;  ///< in the body's axes; of a base: zero
   double radius;           ///< of a base: its height, the distance at which it touches
+  double size;             ///< what gaps are small against [m]: the radius; of a base its height, or 1 mm
   std::size_t surface;
   bool base;
   std::string name;
