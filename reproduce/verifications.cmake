@@ -95,10 +95,14 @@ contensou_run(bench_integrators "What the motion of the tippe-top costs: measuri
   TABLES cost_integrators cost_integrators_front cost_integrators_failures cost_integrators_aims
   DRAWN_BY ${PROJECT_SOURCE_DIR}/bench/integrators/cost_integrators.gp DRAWINGS cost_integrators)
 
+contensou_run(bench_bodies "What many bodies cost: measuring"
+  TABLES cost_bodies
+  DRAWN_BY ${PROJECT_SOURCE_DIR}/bench/bodies/cost_bodies.gp DRAWINGS cost_bodies)
+
 # Measured times stand until the program changes; who asks for them by name wants them measured now.
 set(bench_commands "")
 set(bench_programs "")
-foreach(program IN ITEMS bench_laws bench_projection bench_solvers bench_integrators)
+foreach(program IN ITEMS bench_laws bench_projection bench_solvers bench_integrators bench_bodies)
   list(APPEND bench_commands COMMAND ${${program}_command})
   if(TARGET ${program})
     list(APPEND bench_programs ${program})

@@ -105,6 +105,19 @@ std::string cost_integrators(const fs::path& data) {
       rounded_up(rk4.first("error"), 2), rk4.first("seconds") / printed.first("seconds"));
 }
 
+std::string cost_bodies(const fs::path& data) {
+  const Table table = contensou::read_table(data / "cost_bodies.tsv");
+  const auto of = [&](const char* bodies, const char* threads) {
+    return Selection(table).where("bodies", bodies).where("threads", threads);
+  };
+  const Selection one = of("2000", "1"), two = of("2000", "2");
+  return fmt::format(
+      "Time of a step of nscd over the number of balls that drop into a box, to a solver tolerance of "
+      "10<sup>−6</sup>, with a line of slope 1. 2000 balls: {} ms a step, {:.2g} times as fast with two "
+      "threads and the same result to the last bit.",
+      rounded(one.first("seconds") * 1e3, 2), one.first("seconds") / two.first("seconds"));
+}
+
 std::string robustness(const fs::path&) {
   return "Share of the random problems solved to 10<sup>−10</sup> within a time per problem, from a cold "
          "start.";
@@ -241,6 +254,7 @@ std::string caption(const std::string& name, const fs::path& data) {
       {"accuracy", accuracy},
       {"augmented_r", augmented_r},
       {"cost_integrators", cost_integrators},
+      {"cost_bodies", cost_bodies},
       {"integrator_nutation", integrator_nutation},
       {"integrator_orders", integrator_orders},
       {"cost_projection", cost_projection},

@@ -162,7 +162,8 @@ std::string cost_section(const fs::path& report) {
        {"The motion of the tippe-top",
         "cost_integrators",
         {"cost_integrators", "cost_integrators_front", "cost_integrators_failures",
-         "cost_integrators_aims"}}});
+         "cost_integrators_aims"}},
+       {"Many bodies", "cost_bodies", {"cost_bodies"}}});
 }
 
 std::string effects_section(const fs::path& report) {
