@@ -108,12 +108,14 @@ double exponent(const std::vector<double>& x, const std::vector<double>& y, doub
 
 int run(const std::filesystem::path& folder) {
   Table table{{"Balls dropping into a box: " + std::to_string(layers) +
-                   " layers over a floor as wide as they need, Coulomb friction 0.3, restitution 0.2, steps of 1e-3 s,",
+                   " layers over a floor as wide as they need, Coulomb friction 0.3, restitution 0.2, steps "
+                   "of 1e-3 s,",
                "solver tolerance 1e-6; the first 0.1 s, in which they land. All per step but bytes_per_body: "
                "peak memory of the run, less what there was before",
-               "(zero where smaller runs had as much). unsolved: part of the steps whose inclusion did not reach the tolerance"},
-              {"bodies", "threads", "seconds", "sweeps", "contacts", "pairs", "seconds_per_body", "bytes_per_body",
-               "unsolved", "worst_residual", "deepest"},
+               "(zero where smaller runs had as much). unsolved: part of the steps whose inclusion did not "
+               "reach the tolerance"},
+              {"bodies", "threads", "seconds", "sweeps", "contacts", "pairs", "seconds_per_body",
+               "bytes_per_body", "unsolved", "worst_residual", "deepest"},
               {}};
   std::vector<double> sizes, times;
   double one = 0;
@@ -131,10 +133,11 @@ int run(const std::filesystem::path& folder) {
                  static_cast<double>(cost.counts.pairs_examined) / count, seconds / n, cost.bytes / n,
                  static_cast<double>(cost.counts.unsolved) / count, cost.report.worst_residual,
                  cost.counts.deepest});
-      std::printf("  %5d bodies, %d threads: %.3g s a step, %.0f contacts, %.0f sweeps, unsolved %.2f, worst %.1e\n", n, threads,
-                  seconds, static_cast<double>(cost.counts.contacts) / count,
-                  static_cast<double>(cost.report.contact_iterations) / problems,
-                  static_cast<double>(cost.counts.unsolved) / count, cost.report.worst_residual);
+      std::printf(
+          "  %5d bodies, %d threads: %.3g s a step, %.0f contacts, %.0f sweeps, unsolved %.2f, worst %.1e\n",
+          n, threads, seconds, static_cast<double>(cost.counts.contacts) / count,
+          static_cast<double>(cost.report.contact_iterations) / problems,
+          static_cast<double>(cost.counts.unsolved) / count, cost.report.worst_residual);
       if (threads == 1) {
         sizes.push_back(n);
         times.push_back(seconds);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "contensou/contact/blocks.hpp"
+#include "contensou/system/contact_geometry.hpp"
 
 namespace contensou {
 namespace {
@@ -13,16 +14,11 @@ using Eigen::Vector3d;
 /// n, and where there is friction two axes across it.
 template <int directions>
 Eigen::Matrix<double, 3, directions> axes_of(const Vector3d& n) {
-  Eigen::Matrix<double, 3, directions> axes;
-  axes.col(0) = n;
-  if constexpr (directions == 3) {
-    const double s = n[2] < 0 ? -1 : 1;
-    const double a = -1 / (s + n[2]);
-    const double b = n[0] * n[1] * a;
-    axes.col(1) = Vector3d(1 + s * n[0] * n[0] * a, s * b, -s * n[0]);
-    axes.col(2) = Vector3d(b, s + n[1] * n[1] * a, -n[1]);
+  if constexpr (directions == 1) {
+    return n;
+  } else {
+    return contact_axes(n);
   }
-  return axes;
 }
 
 /// As it is of spheres about centres of mass.
