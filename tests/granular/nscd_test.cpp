@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "balls.hpp"
+#include "contensou/system/ball_on_plane.hpp"
 
 using namespace contensou;
 using balls::add_ball;
@@ -148,6 +149,83 @@ TEST_CASE("nscd: however fast, nothing passes through a wall or another ball", "
     CHECK(state.q[14] <= 0.99 + 1e-9);
     CHECK(counts.deepest < 1e-9);
   }
+}
+
+namespace {
+
+/// A ball of 0.2 kg, r = 3 cm, that slides and spins on a plane by Coulomb–Contensou friction.
+State spun(double step, std::optional<double> fidelity, double spin, RunReport& report) {
+  BodiesData data = balls::scene(hertz, 0.3, 0, 5e-3);
+  add_plane(data, {0, 0, 1}, 0);
+  BodyData& ball = add_ball(data, 0.2, 0.03, {0, 0, 0.03});
+  ball.velocity = {1, 0.2, 0};
+  ball.spin = {0, 0, spin};
+  const BodyLayout layout(data);
+  State state = layout.start();
+  IntegratorOptions o = options(step, 1e-12);
+  o.fidelity = fidelity;
+  report = run_nscd(data, state, 0.05, o, 1);
+  REQUIRE(report.status == RunStatus::finished);
+  return state;
+}
+
+}  // namespace
+
+TEST_CASE("nscd: converges with order one to what moreau has for one ball", "[granular]") {
+  const BallOnPlaneData ball{.m = 0.2, .r = 0.03};
+  const BallOnPlane system(ball, {"touch", hertz, 0.3, 5e-3, 0});
+  State exact{0, Eigen::Vector3d(0, 0, 0.03), Eigen::VectorXd::Zero(6)};
+  exact.u << 1, 0.2, 0, 0, 0, 300;
+  IntegratorOptions fine;
+  fine.method = Method::moreau;
+  fine.step = 2e-5;  // second order: its error is some 1e-4 of what is compared
+  REQUIRE(integrate(system, exact, 0.05, fine).status == RunStatus::finished);
+  std::vector<double> errors;
+  for (const double step : {2e-3, 1e-3, 5e-4}) {
+    RunReport report;
+    const State state = spun(step, {}, 300, report);
+    errors.push_back((state.u.head<3>() - exact.u.head<3>()).norm());
+  }
+  for (std::size_t k = 1; k < errors.size(); ++k) {
+    const double order = std::log2(errors[k - 1] / errors[k]);
+    CHECK(order > 0.8);
+    CHECK(order < 1.2);
+  }
+}
+
+TEST_CASE("nscd: what fidelity leaves out is counted and bounded", "[granular]") {
+  RunReport full, less;
+  const State exact = spun(1e-3, {}, 2, full);
+  const State state = spun(1e-3, 0.02, 2, less);
+  CHECK(full.left_out.as_coulomb == 0);
+  CHECK(less.left_out.as_coulomb > 0);
+  CHECK(less.left_out.friction > 0);
+  CHECK(less.left_out.friction <= 0.02);
+  CHECK((state.u.head<3>() - exact.u.head<3>()).norm() <= less.left_out.impulse / 0.2);
+  RunReport none_left;
+  const State spinning = spun(1e-3, 0.02, 3000, none_left);  // u = 0.07 and less
+  CHECK(none_left.left_out.as_coulomb == 0);
+  CHECK(spinning.u.allFinite());
+}
+
+TEST_CASE("nscd: what rests does not drift", "[granular]") {
+  BodiesData data = balls::scene(coulomb, 0.5, 0);
+  add_plane(data, {0, 0, 1}, 0);
+  const double r = 0.01, d = 2 * r;
+  add_ball(data, 0.01, r, {0, 0, r});
+  add_ball(data, 0.01, r, {d, 0, r});
+  add_ball(data, 0.01, r, {d / 2, d * std::sqrt(3.0) / 2, r});
+  add_ball(data, 0.01, r, {d / 2, d / std::sqrt(12.0), r + d * std::sqrt(2.0 / 3) + 1e-9});
+  const BodyLayout layout(data);
+  State state = layout.start();
+  const Eigen::VectorXd start = state.q;
+  NscdCounts counts;
+  const RunReport report = run_nscd(data, state, 20, options(2e-3, 1e-8), 1, {}, &counts);
+  CHECK(report.status == RunStatus::finished);
+  // The size of gaps that count as none, from the landing of the top ball, and nothing more in 10 000 steps.
+  for (int i = 0; i < 4; ++i)
+    CHECK((state.q - start).segment<3>(layout.first_coordinate(i)).norm() < 10 * 1e-4 * r);
+  CHECK(counts.deepest < 2 * 1e-4 * r);
 }
 
 TEST_CASE("nscd: starts that make no sense are refused", "[granular]") {

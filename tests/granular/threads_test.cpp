@@ -18,7 +18,7 @@ BodiesData crowd(int side) {
   data.rule << 0, 0, 1, 0, BodiesData::no_rule, 1, 1, 1, 1;
   balls::add_plane(data, {0, 0, 1}, 0);
   for (int i = 0; i < side * side * 3; ++i) {
-    const double x = 0.0205 * (i % side), y = 0.0205 * (i / side % side);
+    const double x = 0.0208 * (i % side), y = 0.0205 * (i / side % side);
     BodyData& ball =
         balls::add_ball(data, 0.01, 0.01, {x + 1e-4 * (i % 7), y, 0.0101 + 0.0203 * (i / side / side)});
     ball.velocity = {0.01 * (i % 5), 0.02 * (i % 3), -0.1};

@@ -34,7 +34,8 @@ BodyMotion::BodyMotion(const BodyLayout& layout) : layout_(layout), data_(layout
       c.smallest_radius = std::min(c.smallest_radius, sphere.radius);
     }
     constants_.push_back(c);
-    drag_ = drag_ || body.drag.any();
+    const bool turns = body.rotation == Rotation::free || body.rotation == Rotation::upright;
+    drag_ = drag_ || body.drag.linear > 0 || (turns && body.drag.angular > 0);
   }
   pose_.resize(data_.bodies.size() + 1);
   before_.resize(data_.bodies.size() + 1);

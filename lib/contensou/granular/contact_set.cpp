@@ -66,10 +66,11 @@ void ContactSet::sort(const PairList& list) {
     const NearPair& pair = list.pairs()[k];
     if (!pair.chosen) continue;
     const auto [first, second] = list.bodies(pair);
-    order_.push_back({colouring_.next(first, second), pair.rule, k});
+    const bool as_point = !pair.exact && contensou::rows(data_.rules[pair.rule].friction) == 4;
+    order_.push_back({colouring_.next(first, second), pair.rule, as_point, k});
   }
   std::sort(order_.begin(), order_.end(), [](const Order& a, const Order& b) {
-    return std::tie(a.colour, a.rule, a.pair) < std::tie(b.colour, b.rule, b.pair);
+    return std::tie(a.colour, a.rule, a.as_point, a.pair) < std::tie(b.colour, b.rule, b.as_point, b.pair);
   });
 }
 
@@ -79,14 +80,15 @@ void ContactSet::build(const PairList& list, const std::vector<Approach>& approa
   sort(list);
   for (auto begin = order_.begin(); begin != order_.end();) {
     const auto end = std::find_if(begin, order_.end(), [&](const Order& o) {
-      return o.colour != begin->colour || o.rule != begin->rule;
+      return o.colour != begin->colour || o.rule != begin->rule || o.as_point != begin->as_point;
     });
     const SystemContact& rule = data_.rules[begin->rule];
+    const AnyFriction& friction = begin->as_point ? point_ : rule.friction;
     std::visit(
         [&]<class Domain>(const Domain&) {
           constexpr int rows = 1 + Domain::dimension;
           auto& blocks = std::get<std::vector<ContactBlock<rows>>>(blocks_);
-          runs_.push_back({&rule.friction, rule.mu, begin->rule, begin->colour, blocks.size(),
+          runs_.push_back({&friction, rule.mu, begin->rule, begin->colour, begin->as_point, blocks.size(),
                            static_cast<std::size_t>(end - begin)});
           rows_ += rows * static_cast<Eigen::Index>(end - begin);
           largest_run_ = std::max(largest_run_, static_cast<std::size_t>(end - begin));
@@ -116,7 +118,7 @@ void ContactSet::build(const PairList& list, const std::vector<Approach>& approa
             c.impulse[0] = std::max(c.impulse[0], 0.0);
           }
         },
-        rule.friction);
+        friction);
     begin = end;
   }
 }

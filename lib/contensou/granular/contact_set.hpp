@@ -22,13 +22,15 @@ class ContactSet {
     double mu;
     std::uint32_t rule;
     int colour;
+    bool as_point;             ///< drilling friction left out
     std::size_t first, count;  ///< in the blocks of its number of rows
   };
 
   /// The data outlive it.
   explicit ContactSet(const BodiesData& data) : data_(data) {}
 
-  /// The set of the chosen pairs of the list, with the impulses they have to start from.
+  /// The set of the chosen pairs of the list, with the impulses they have to start from. Those with drilling
+  /// friction that are not `exact` are solved as point contacts.
   void build(const PairList& list, const std::vector<Approach>& approach,
              const std::vector<Mobility>& mobility, double dt);
   void clear();
@@ -58,12 +60,14 @@ class ContactSet {
   struct Order {
     int colour;
     std::uint32_t rule;
+    bool as_point;
     std::uint32_t pair;
   };
 
   void sort(const PairList& list);
 
   const BodiesData& data_;
+  AnyFriction point_ = FrictionDisk{};
   Eigen::Index rows_ = 0;
   std::size_t largest_run_ = 0;
   Colouring colouring_;

@@ -40,6 +40,10 @@ struct NscdCounts {
 /// dissipated.driven to rounding, `dissipated` by rule (contact_account.hpp), `work` of drag, if any, then
 /// of each load. A contact radius that follows the load takes that of the step before.
 ///
+/// options.fidelity, if given: contacts with drilling friction and a constant radius whose slip before the
+/// step has max(1 − ξ(u), η(u)) <= fidelity are solved as point contacts, and again in full where that does
+/// not hold at the end; counted in left_out.
+///
 /// `state`: as BodyLayout(data) lays it out; moved on to t_end or as far as it comes. The observer is shown
 /// samples as integrate() shows them, linear within a step, with no modes. The report has no events;
 /// inclusions that are not solved to solver_tolerance (in at most 1000 sweeps) do not end the run: they are

@@ -1,9 +1,11 @@
 #include "contensou/granular/nscd_step.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
+#include "contensou/granular/fidelity.hpp"
 #include "contensou/text/number.hpp"
 
 namespace contensou {
@@ -23,6 +25,7 @@ constexpr double penetration_limit = 1e-6;
 NscdStep::NscdStep(const BodyLayout& layout, const IntegratorOptions& options, WorkerTeam& team,
                    RunReport& report, NscdCounts& counts)
     : layout_(layout),
+      fidelity_(options.fidelity),
       report_(report),
       counts_(counts),
       motion_(layout),
@@ -107,29 +110,55 @@ bool NscdStep::choose(const std::vector<Twist>& twists, double rooms, double dt)
   return more;
 }
 
+/// Chosen contacts with drilling friction and a constant radius that may be solved as point contacts, by the
+/// velocities before the step.
+void NscdStep::choose_points() {
+  for (std::size_t k = 0; k < approach_.size(); ++k) {
+    NearPair& pair = list_.pairs()[k];
+    const SystemContact& rule = layout_.data().rules[pair.rule];
+    if (!pair.chosen || rule.load_radius || rows(rule.friction) < 4) continue;
+    const Approach& a = approach_[k];
+    const auto [i, j] = list_.bodies(pair);
+    const Twist& first = motion_.before()[i];
+    const Twist& second = motion_.before()[j];
+    const Eigen::Vector3d velocity =
+        first.v - second.v + first.omega.cross(a.arm) - second.omega.cross(a.other);
+    const double v = (velocity - a.normal.dot(velocity) * a.normal).norm();
+    const double s = rule.radius * std::abs(a.normal.dot(first.omega - second.omega));
+    pair.exact = !(point_error(rule.friction, v, s) <= *fidelity_);
+  }
+}
+
 /// Solves for the impulses of all contacts: after_, touch_ and set_.
 void NscdStep::solve_contacts(const State& state, double dt) {
   std::fill(reach_.begin(), reach_.end(), 0.0);
   update_reach(after_, dt);
   if (!look(state)) look_again();
-  for (NearPair& pair : list_.pairs()) pair.chosen = false;
+  for (NearPair& pair : list_.pairs()) {
+    pair.chosen = false;
+    pair.exact = true;
+  }
   for (const Approach& a : approach_) counts_.deepest = std::max(counts_.deepest, -a.gap);
   bool more = choose(after_, 1, dt);
+  if (fidelity_) choose_points();
   set_.clear();
   BlockReport solved;
-  for (int round = 0; more && round < most_rounds; ++round) {
+  for (int round = 1; more; ++round) {
     set_.build(list_, approach_, motion_.mobility(), dt);
     after_ = motion_.free();
     solved = solver_.solve(set_, motion_.mobility(), after_);
     set_.store(list_);
     report_.contact_iterations += solved.sweeps;
+    if (round == most_rounds) break;
+    const bool refused = fidelity_ && refuse_points(layout_.data(), set_, after_, *fidelity_, list_);
     update_reach(after_, dt);
-    look(state);
-    more = choose(after_, 0, dt);
+    const bool anew = look(state);  // what the set knows of its pairs is of the old list
+    more = choose(after_, 0, dt) || anew || refused;
   }
   decide_touch(set_, approach_, motion_.before(), after_, dt, touch_);
   if (set_.size() == 0) return;
   ++report_.contact_problems;
+  if (fidelity_) add_left_out(layout_.data(), set_, motion_.before(), after_, report_.left_out);
   report_.worst_residual = std::max(report_.worst_residual, solved.residual);
   if (!solved.solved || more) ++counts_.unsolved;
   counts_.contacts += static_cast<std::int64_t>(set_.size());

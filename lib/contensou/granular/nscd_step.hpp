@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "contensou/granular/block_solver.hpp"
@@ -24,11 +25,13 @@ class NscdStep {
  private:
   void solve_contacts(const State& state, double dt);
   void update_reach(const std::vector<Twist>& twists, double dt);
+  void choose_points();
   bool look(const State& state);
   void look_again();
   bool choose(const std::vector<Twist>& twists, double rooms, double dt);
 
   const BodyLayout& layout_;
+  std::optional<double> fidelity_;
   RunReport& report_;
   NscdCounts& counts_;
   BodyMotion motion_;

@@ -97,6 +97,7 @@ bool PairList::update(const BodyLayout& layout, const State& state, const std::v
     pair.impulse = old->impulse;
     pair.drilling = old->drilling;
     pair.chosen = old->chosen;
+    pair.exact = old->exact;
   }
   return true;
 }

@@ -29,6 +29,7 @@ struct NearPair {
   Eigen::Vector3d impulse = Eigen::Vector3d::Zero();  ///< of the last step, on the first one [N s]
   double drilling = 0;                                ///< the last step's Λ_τ [N s]
   bool chosen = false;                                ///< takes part in this step's inclusion
+  bool exact = true;                                  ///< in this step not to be solved as a point contact
 
   std::uint64_t key() const { return std::uint64_t{first} << 32U | second; }
 };
