@@ -11,7 +11,7 @@ using Json = nlohmann::ordered_json;
 using namespace contensou;
 
 /// The settings that the method used, and no others.
-Json settings(const IntegratorOptions& options) {
+Json settings(const IntegratorOptions& options, int threads) {
   Json json;
   if (has_fixed_step(options.method)) {
     json["step"] = options.step;
@@ -21,6 +21,7 @@ Json settings(const IntegratorOptions& options) {
   if (options.method == Method::moreau_adaptive) json["first_step"] = options.step;
   json["solver_tolerance"] = options.solver_tolerance;
   if (options.r) json["r"] = *options.r;
+  if (options.method == Method::nscd) json["threads"] = threads;
   return json;
 }
 
@@ -72,7 +73,7 @@ std::string summary(const Command& command, const Scene& scene, const Outcome& o
             {"unset", command.unset},
             {"version", CONTENSOU_VERSION},
             {"method", name(scene.integrator.method)},
-            {"settings", settings(scene.integrator)},
+            {"settings", settings(scene.integrator, scene.threads)},
             {"effects", effects(scene)},
             {"contacts", contacts},
             {"status", name(report.status)},

@@ -30,7 +30,7 @@ std::vector<Surface> surfaces(const BodiesData& data) {
 
 std::string title(const BodiesData& data, const BodySide& side) {
   const BodyData& body = data.bodies[side.body];
-  return body.name + "." + (side.sphere ? body.spheres[*side.sphere].name : body.base->name);
+  return side.sphere ? body.spheres[*side.sphere].name : body.base->name;
 }
 
 [[noreturn]] void reject(const BodiesData& data, const BodyPair& pair, const std::string& expected) {

@@ -30,7 +30,7 @@ struct SphereData {
 /// The flat round base of an upright or driven body: across its third axis, below the centre of mass. It
 /// meets planes only, and those only whose normal is the third axis.
 struct BaseData {
-  std::string name;
+  std::string name;   ///< "BODY.base" in messages
   double height = 0;  ///< of the centre of mass above the base [m] >= 0
   std::size_t surface = 0;
 };
