@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "audit_table.hpp"
+#include "contensou/text/quoted.hpp"
 #include "svg.hpp"
 
 namespace cli {
@@ -16,7 +17,7 @@ using contensou::Variation;
 using Align = Svg::Align;
 
 constexpr std::size_t most_outcomes = 5;
-constexpr double line_height = 22, top = 74, below = 46, labels = 300, panel = 190, gap = 34, right = 30;
+constexpr double line_height = 22, top = 84, below = 46, labels = 300, panel = 190, gap = 34, right = 30;
 
 /// A logarithmic axis over whole decades.
 struct Axis {
@@ -62,6 +63,7 @@ class Picture {
         svg_(labels + (panel + gap) * static_cast<double>(outcomes_ + 1) + right, height_,
              "What each effect is worth: " + scene.name) {
     svg_.text(16, 26, "What each effect is worth: " + scene.name, Align::left, Svg::ink, 16);
+    svg_.text(labels + panel + gap, 26, "relative change of", Align::left, Svg::grey);
   }
 
   std::string drawn() {
@@ -105,8 +107,7 @@ class Picture {
     for (int decade = axis.from; decade <= axis.to; ++decade) {
       const double x = axis.at(std::pow(10.0, decade));
       svg_.line(x, top, x, bottom(), {decade == 0 ? Svg::grey : Svg::light, 1});
-      if ((decade - axis.from) % every == 0)
-        svg_.text(x, bottom() + 16, power(decade), Align::middle, Svg::grey, 12);
+      if (decade % every == 0) svg_.text(x, bottom() + 16, power(decade), Align::middle, Svg::grey, 12);
     }
   }
 
@@ -134,7 +135,8 @@ class Picture {
     const double left = labels + (panel + gap) * static_cast<double>(k + 1);
     const Axis axis = axis_of(changes, left, -3, 0);
     const std::string of = measure.column.empty() ? measure.event + ' ' + measure.contact : measure.column;
-    frame(axis, measure.name, std::string(name(measure.kind)) + " of " + of + ", relative change");
+    frame(axis, contensou::shortened(measure.name),
+          std::string(name(measure.kind)) + " of " + contensou::shortened(of));
     for (std::size_t i = 1; i < audit_.rows.size(); ++i) {
       if (!audit_.rows[i].finished()) continue;
       const double change = changes[i];
