@@ -22,7 +22,7 @@ std::string contact(const std::string& name, const std::string& law) {
 
 /// [s]; from event to event steps are long, and longer where nothing touches.
 double duration(const std::string& method, bool touches) {
-  if (method == "moreau") return 0.03;
+  if (method != "event_driven") return 0.03;
   return touches ? 0.1 : 3;
 }
 
@@ -56,7 +56,7 @@ CountedScene ball_with_patch(const std::string& method) {
 
 std::vector<CountedScene> counted_scenes() {
   std::vector<CountedScene> scenes;
-  for (const char* method : {"moreau", "event_driven"}) {
+  for (const char* method : {"moreau", "event_driven", "nscd"}) {
     const auto add = [&](const char* name, const char* effect, const std::string& text,
                          const std::vector<std::string>& absent, const std::vector<std::string>& present) {
       const bool touches = text.find("[contact") != std::string::npos;

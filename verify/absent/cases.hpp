@@ -16,7 +16,7 @@ struct CountedScene {
   std::vector<std::string> absent, present;
 };
 
-/// Scenes that each lack one effect more than the next, by time-stepping and from event to event.
+/// Scenes that each lack one effect more than the next, by each kind of method.
 std::vector<CountedScene> counted_scenes();
 
 /// The last of them: one ball on a table, drilling friction and all.
