@@ -43,7 +43,6 @@ constexpr const char* description =
 constexpr const char* examples =
     "Examples:\n"
     "  contensou effects scenes/tippe_top.toml\n"
-    "  contensou effects scenes/tippe_top.toml --set contact.body.radius=0\n"
     "  contensou effects scenes/tippe_top.toml --unset contact.tip --set contact.tip.law=frictionless\n"
     "  contensou effects scenes/tippe_top.toml --set scene.duration=2 --audit --repeat 1 --out worth\n\n"
     "Variants: of contacts (all at once, and each alone) friction exact, ellipsoid, uncoupled, coulomb, "

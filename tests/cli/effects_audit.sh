@@ -19,7 +19,7 @@ near() { # near WHAT GOT WANT BOUND
 
 # Upright, spinning: drilling friction alone slows it down, and by how much is known (simulate_values.sh). The change between
 # two laws is that of omega: (A_1 - A_2) mu m g R T/I3, A = 3 pi/16 (hertz), 2/3 (uniform); nothing for coulomb.
-upright="--set initial.theta=0 --set scene.duration=1 --unset contact.tip --set contact.tip.law=frictionless"
+upright="--unset outcome --set initial.theta=0 --set scene.duration=1 --unset contact.tip --set contact.tip.law=frictionless"
 run effects "$scene" $upright --audit --repeat 1
 succeeds
 cp out audit.tsv

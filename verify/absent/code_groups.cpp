@@ -9,7 +9,9 @@ const std::vector<CodeGroup>& code_groups() {
       {"contact", "rows of contacts, contact problems and their solvers",
        "^contensou::.*(contact_rows|ContactSolver::solve|solve_single_contact|solve_one_contact|solve_"
        "automatic|"
-       "solve_gauss_seidel|newton_iteration|natural_map_residual|ContactInstant::|::gap$|Nscd)"},
+       "solve_gauss_seidel|newton_iteration|natural_map_residual|ContactInstant::|::gap$|ContactSet::|"
+       "BlockSolver::|PairList::|"
+       "NscdStep::(solve_contacts|look|choose))"},
       {"friction", "friction disks, cylinders and balls, their contacts' solvers",
        "^contensou::.*(FrictionDisk|FrictionBall|FrictionCylinder|SmoothPlate|detail::(Secular|search_slip|"
        "end_slip|"

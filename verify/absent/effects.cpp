@@ -38,7 +38,6 @@ std::vector<Variant> of_top() {
   const std::string patch = "law=\"contensou\", mu=0.3, radius=5e-4, ";
   return {{"contensou, hertz", 4, law(patch + "pressure=\"hertz\"")},
           {"contensou, uniform", 4, law(patch + "pressure=\"uniform\"")},
-          {"contensou, power:2 (compiled)", 4, law(patch + "pressure=\"power:2\"")},
           {"contensou, ellipsoid", 4, law(patch + "pressure=\"hertz\", model=\"ellipsoid\"")},
           {"contensou, uncoupled", 4, law(patch + "pressure=\"hertz\", model=\"uncoupled\"")},
           {"coulomb", 3, law("law=\"coulomb\", mu=0.3")},
