@@ -25,14 +25,20 @@ double Pushed::rate(double push) const {
          (2 * step);
 }
 
-double Pushed::speed(double push, double from, double t) const {
+std::vector<double> Pushed::speeds(double push, double from, const std::vector<double>& times) const {
   std::vector<double> u{from / s_};
   const auto right = [&](double, const double* at, double* rate) {
     const double xi = patch_.at(std::abs(at[0]), 1).xi;
     *rate = push / a_ - std::copysign(xi, at[0]);
   };
-  solve(right, 0, t * a_ / s_, u);
-  return s_ * u[0];
+  std::vector<double> found;
+  double now = 0;
+  for (const double t : times) {
+    solve(right, now, t * a_ / s_, u);
+    now = t * a_ / s_;
+    found.push_back(s_ * u[0]);
+  }
+  return found;
 }
 
 }  // namespace verify::answers

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "patch.hpp"
 
 namespace verify::answers {
@@ -16,8 +18,9 @@ class Pushed {
   double terminal_speed(double push) const;
   /// Of the approach, [1/s], by a difference.
   double rate(double push) const;
-  /// v(t) from v_0 [m/s].
-  double speed(double push, double from, double t) const;
+  /// v from v_0 [m/s], at ascending times.
+  std::vector<double> speeds(double push, double from, const std::vector<double>& times) const;
+  double speed(double push, double from, double t) const { return speeds(push, from, {t}).front(); }
 
  private:
   Patch patch_;

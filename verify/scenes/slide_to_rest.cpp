@@ -33,6 +33,17 @@ double final_ratio_hertz(double kappa) {
   return std::sqrt(2 * last / (half + std::sqrt(half * half - 1.5 * last)));
 }
 
+double late_ratio(const Patch& patch, double kappa, double start, double folds) {
+  std::vector<double> angle{std::atan(start)};
+  const auto right = [&](double, const double* at, double* rate) {
+    const double sine = std::sin(at[0]), cosine = std::cos(at[0]);
+    const auto [xi, eta] = patch.at(sine, cosine);
+    *rate = (sine * eta / kappa - cosine * xi) / (sine * xi + cosine * eta / kappa);
+  };
+  solve(right, 0, folds, angle);
+  return std::tan(angle[0]);
+}
+
 SlideToRest::SlideToRest(const Patch& patch, double a, double kappa, double v, double s)
     : patch_(patch.n()), a_(a), kappa_(kappa), v_(v), s_(s) {
   const double r = std::hypot(v, s);
@@ -55,7 +66,7 @@ SlideToRest::SlideToRest(const Patch& patch, double a, double kappa, double v, d
   turned_ = y[3] * r * r / a;
 }
 
-SlideToRest::Point SlideToRest::at(double t) const {
+std::vector<SlideToRest::Point> SlideToRest::at(const std::vector<double>& times) const {
   const double r = std::hypot(v_, s_);
   std::vector<double> y{v_ / r, s_ / r, 0, 0};
   const auto right = [this](double, const double* at, double* rate) {
@@ -65,8 +76,14 @@ SlideToRest::Point SlideToRest::at(double t) const {
     rate[2] = at[0];
     rate[3] = at[1];
   };
-  solve(right, 0, t * a_ / r, y);
-  return {y[0] * r, y[1] * r, y[2] * r * r / a_, y[3] * r * r / a_};
+  std::vector<Point> points;
+  double now = 0;
+  for (const double t : times) {
+    solve(right, now, t * a_ / r, y);
+    now = t * a_ / r;
+    points.push_back({y[0] * r, y[1] * r, y[2] * r * r / a_, y[3] * r * r / a_});
+  }
+  return points;
 }
 
 }  // namespace verify::answers

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "patch.hpp"
 
 /// A loaded contact whose sliding speed v and spin speed s = |ω|R nothing but its friction slows down, along
@@ -32,6 +34,9 @@ double final_ratio(const Patch& patch, double kappa);
 /// 3/8 x² − (1 − κ/2) x + 1 − 2κ = 0.
 double final_ratio_hertz(double kappa);
 
+/// u from `start` when ‖(v, s)‖ has become smaller by e^folds, by GSL.
+double late_ratio(const Patch& patch, double kappa, double start, double folds);
+
 /// The motion, by GSL (ode.hpp).
 class SlideToRest {
  public:
@@ -49,9 +54,10 @@ class SlideToRest {
   double stopping_time() const { return stop_; }
   double slid() const { return slid_; }      ///< until then
   double turned() const { return turned_; }  ///< until then
-  /// At 0 <= t < stopping_time(). What is left of the speeds, and so u, has the relative error accuracy/(1 −
-  /// t/stop).
-  Point at(double t) const;
+  /// At ascending times, 0 <= t < stopping_time(). What is left of the speeds, and so u, has the relative
+  /// error accuracy/(1 − t/stop).
+  std::vector<Point> at(const std::vector<double>& times) const;
+  Point at(double t) const { return at(std::vector<double>{t}).front(); }
 
  private:
   Patch patch_;
