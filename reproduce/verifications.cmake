@@ -69,6 +69,9 @@ contensou_run(verify_story "Verification: the story of the tippe-top"
   TABLES event_story story_hypotheses story_theta inversion_over_radius coulomb_limit end_states parts/claims-story
          parts/ledger-story
   DRAWN_BY ${PROJECT_SOURCE_DIR}/verify/story/story.gp DRAWINGS story inversion_over_radius)
+contensou_run(verify_scenes "Verification: the scenes that ship against their answers"
+  TABLES scenes scenes_limits scenes_disc scenes_disc_ends parts/claims-scenes
+  DRAWN_BY ${PROJECT_SOURCE_DIR}/verify/scenes/scenes.gp DRAWINGS scenes_disc)
 contensou_run(verify_siconos "Verification: against Siconos, points of contact and patches cut into points"
   OPTIONAL "Siconos is not installed"
   TABLES siconos_coulomb siconos_patch siconos_ball parts/claims-siconos
@@ -116,4 +119,4 @@ endif()
 set(verification_statuses
   ${verify_quadrature_status} ${verify_ledger_status} ${verify_plates_status} ${verify_ball_status} ${verify_accuracy_status}
   ${verify_augmented_status} ${verify_contact_status} ${verify_consistency_status} ${verify_stability_status}
-  ${verify_integrators_status} ${verify_story_status} ${verify_siconos_status} ${verify_absent_status})
+  ${verify_integrators_status} ${verify_story_status} ${verify_scenes_status} ${verify_siconos_status} ${verify_absent_status})

@@ -199,6 +199,28 @@ std::string story(const fs::path& data) {
       told("Hertz, exact"), told("uniform, exact"), told("ellipsoid"), told("radial projection, Hertz"));
 }
 
+// The limits of the homogeneous disc and the cone, as the runs end.
+std::string scenes_disc(const fs::path& data) {
+  const Table table = contensou::read_table(data / "scenes_disc_ends.tsv");
+  const auto last = [&](const char* pressure) {
+    return rounded(
+        Selection(table).where("pressure", pressure).where("kappa", "0.3").where("start", "3").first("u"), 4);
+  };
+  return fmt::format(
+      "A body slides and spins on a flat base: <i>u</i> = <i>v</i>/(<i>ωR</i>) tends to one limit from "
+      "wherever it starts, and both "
+      "speeds vanish together. Above: a cone, five starts; its runs end at {} (uniform), {} (Hertz), {} "
+      "(paraboloid). Below: the "
+      "limit over <i>κ</i> = <i>I</i>/(<i>mR</i>²), the root of <i>uη</i>/<i>ξ</i> = <i>κ</i>; with pressure "
+      "∝ (1 − "
+      "<i>ρ</i>²/<i>R</i>²)<sup><i>n</i></sup> it is 0 from <i>κ</i> = 2/(3 + 2<i>n</i>) on, 1 at 1/(3 + "
+      "2<i>n</i>), and infinite up to "
+      "1/(4 + 2<i>n</i>). A homogeneous disc (<i>κ</i> = ½) ends at 0.653 under uniform pressure, and just "
+      "does not under Hertz’s: its "
+      "<i>u</i> goes to zero as slowly as 1/√(−ln <i>ω</i>).",
+      last("uniform"), last("hertz"), last("paraboloid"));
+}
+
 std::string inversion_over_radius(const fs::path&) {
   return "When the stick touches and when <i>θ</i> first is π/2, over the contact radius, from the start of "
          "Section 5.4. A smaller "
@@ -261,6 +283,7 @@ std::string caption(const std::string& name, const fs::path& data) {
       {"cost_solvers", cost_solvers},
       {"phase_map", phase_map},
       {"robustness", robustness},
+      {"scenes_disc", scenes_disc},
       {"story", story},
       {"inversion_over_radius", inversion_over_radius},
       {"siconos_patch", siconos_patch}};

@@ -139,6 +139,7 @@ std::string page(const Evidence& evidence, const fs::path& sources, const fs::pa
                {"contact", contact_section(report)},
                {"top", top_section(report)},
                {"integrators", integrators_section(report)},
+               {"scenes", scenes_section(report)},
                {"cost", cost_section(report)},
                {"effects", effects_section(report)},
                {"provenance", provenance()},

@@ -151,6 +151,10 @@ std::string top_section(const fs::path& report) {
                 {"Where it ends", "", {"end_states"}}});
 }
 
+std::string scenes_section(const fs::path& report) {
+  return shown(report, Block{"", "scenes_disc", {"scenes", "scenes_disc_ends"}});
+}
+
 std::string cost_section(const fs::path& report) {
   return shown(
       report,

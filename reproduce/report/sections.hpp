@@ -20,6 +20,7 @@ std::string ball_section(const std::filesystem::path& report);
 std::string contact_section(const std::filesystem::path& report);
 std::string top_section(const std::filesystem::path& report);
 std::string integrators_section(const std::filesystem::path& report);
+std::string scenes_section(const std::filesystem::path& report);
 std::string cost_section(const std::filesystem::path& report);
 std::string effects_section(const std::filesystem::path& report);
 

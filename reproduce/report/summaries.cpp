@@ -162,6 +162,20 @@ std::string cost_ratios(const Table& table) {
       ratio("uniform / (K + E), throughput"), ratio("hertz / (K + E), throughput"));
 }
 
+std::string scenes(const Table& table) {
+  int held = 0;
+  double largest = 0;
+  const auto errors = table.numbers("error"), bounds = table.numbers("bound");
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    if (errors[i] <= bounds[i]) ++held;
+    if (bounds[i] > 0) largest = std::max(largest, errors[i] / bounds[i]);
+  }
+  return fmt::format(
+      "{} numbers of {} scenes beside their answers: {} within their bounds, the largest error {} of its "
+      "bound.",
+      errors.size(), Selection(table).values("scene").size(), held, rounded_up(largest, 2));
+}
+
 // "107 sentences: holds 77, misprint 6."
 std::string verdicts(const Table& table, const char* what) {
   const Selection rows(table);
@@ -203,6 +217,7 @@ std::string summary(const std::string& name, const Table& table) {
       {"fig12_events", radius_events_summary},
       {"stability_growth", growth_summary},
       {"fig11_simulated", magnus_summary},
+      {"scenes", scenes},
       {"claims", claims},
       {"ledger", ledger}};
   const auto sentence = sentences.find(name);
