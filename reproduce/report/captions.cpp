@@ -209,8 +209,9 @@ std::string scenes_disc(const fs::path& data) {
   return fmt::format(
       "A body slides and spins on a flat base: <i>u</i> = <i>v</i>/(<i>ωR</i>) tends to one limit from "
       "wherever it starts, and both "
-      "speeds vanish together. Above: a cone, five starts; its runs end at {} (uniform), {} (Hertz), {} "
-      "(paraboloid). Below: the "
+      "speeds vanish together. Above: a cone, five starts; with 10<sup>−5</sup> of the time left, that from "
+      "3 is at "
+      "{} (uniform), {} (Hertz), {} (paraboloid). Circles: runs from 0.1 and 3, then. Below: the "
       "limit over <i>κ</i> = <i>I</i>/(<i>mR</i>²), the root of <i>uη</i>/<i>ξ</i> = <i>κ</i>; with pressure "
       "∝ (1 − "
       "<i>ρ</i>²/<i>R</i>²)<sup><i>n</i></sup> it is 0 from <i>κ</i> = 2/(3 + 2<i>n</i>) on, 1 at 1/(3 + "
