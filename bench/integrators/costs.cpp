@@ -28,6 +28,8 @@ std::vector<double> sizes(Method method) {
       return {4e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4, 5e-5, 2e-5, 1e-5};
     case Method::event_driven:
       return {1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13};
+    case Method::nscd:
+      break;  // for bodies: bench/bodies
   }
   return {};
 }
