@@ -19,9 +19,8 @@ const std::vector<CodeGroup>& code_groups() {
       {"ball", "friction with four rows: balls and their contacts' solvers",
        "^contensou::.*(FrictionBall|SmoothPlate)"},
       {"law", "forces of pressure distributions and ellipsoids",
-       "^contensou::(UniformLaw|HertzLaw|CompiledLaw|EllipsoidLaw|PowerLaw|RadialLaw|.*[a-z_]+<contensou::[A-"
-       "Z][a-z]+"
-       "Law)"},
+       "^contensou::((Uniform|Hertz|Compiled|Ellipsoid|Power|Radial)Law::|[a-z_]+<contensou::[A-Z][a-z]+Law>"
+       ")"},
       {"arcs", "inverse trigonometric and elliptic functions",
        "^(__)?(ieee754_)?(acos|asin|atan|atan2)(f|l)?(_[a-z0-9]+)?$|ellint|^boost::math.*(ellint|acos|"
        "asin)"}};
