@@ -30,7 +30,7 @@ inline contensou::BodyData ball(const std::string& name, double m, double r, std
   body.rotation = contensou::Rotation::free;
   body.mass = m;
   body.inertia.setConstant(2 * m * r * r / 5);
-  body.spheres = {{"shell", Eigen::Vector3d::Zero(), r, surface}};
+  body.spheres = {{name + ".shell", Eigen::Vector3d::Zero(), r, surface}};
   return body;
 }
 

@@ -16,7 +16,7 @@ BodiesData room() {
   BodyData disc = ball("disc", 1, 1, 0);
   disc.rotation = Rotation::upright;
   disc.spheres.clear();
-  disc.base = BaseData{"base", 0.2, 1};
+  disc.base = BaseData{"disc.base", 0.2, 1};
   data.bodies = {ball("a", 1, 0.2, 0), ball("b", 1, 0.3, 0), disc};
   data.planes = {floor_plane(2), {"wall", Vector3d::UnitX(), -1, 3}};
   data.rules = {named(hertz_floor(), "balls"), named(coulomb_floor(), "planes"),
