@@ -133,24 +133,6 @@ TEST_CASE("nscd: the account of energy closes", "[granular]") {
   CHECK(counts.deepest < 0.02 * 1e-2);
 }
 
-TEST_CASE("nscd: however fast, nothing passes through a wall or another ball", "[granular]") {
-  for (const double speed : {1e1, 1e2}) {
-    BodiesData data = balls::scene(coulomb, 0.3, 0);
-    data.gravity.setZero();
-    add_plane(data, {-1, 0, 0}, -1);
-    add_ball(data, 1, 0.01, {0, 0, 0}).velocity = {speed, 0, 0};
-    add_ball(data, 1, 0.01, {0.5, 0.001, 0});
-    add_ball(data, 0.5, 0.01, {0.7, 0, 0});
-    const BodyLayout layout(data);
-    State state = layout.start();
-    NscdCounts counts;
-    const RunReport report = run_nscd(data, state, 0.01, options(1e-3), 1, {}, &counts);
-    CHECK(report.status == RunStatus::finished);
-    CHECK(state.q[14] <= 0.99 + 1e-9);
-    CHECK(counts.deepest < 1e-9);
-  }
-}
-
 namespace {
 
 /// A ball of 0.2 kg, r = 3 cm, that slides and spins on a plane by Coulomb–Contensou friction.

@@ -1,6 +1,7 @@
 #include "contensou/granular/nscd.hpp"
 
 #include <cmath>
+#include <cstdio>
 #include <stdexcept>
 #include <string>
 
@@ -42,6 +43,15 @@ void restore(const BodyLayout& layout, Eigen::VectorXd& q) {
     if (layout.data().bodies[i].rotation == Rotation::free)
       q.segment<4>(layout.first_coordinate(i) + 3).normalize();
   }
+}
+
+/// How many inclusions were not solved, and how bad; empty if none.
+std::string unsolved_message(const RunReport& report, const NscdCounts& met, double tolerance) {
+  if (met.unsolved == 0) return {};
+  char worst[32];
+  std::snprintf(worst, sizeof worst, "%.2g", report.worst_residual);
+  return std::to_string(met.unsolved) + " of " + std::to_string(report.steps) +
+         " steps: contacts not solved to " + to_text(tolerance) + ", worst residual " + worst;
 }
 
 /// Shows the motion where it is to be shown: linear within a step.
@@ -110,6 +120,7 @@ RunReport run_nscd(const BodiesData& data, State& state, double t_end, const Int
     ++report.steps;
     shower.show(state);
   }
+  report.message = unsolved_message(report, met, options.solver_tolerance);
   return report;
 }
 

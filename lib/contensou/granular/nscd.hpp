@@ -31,10 +31,12 @@ struct NscdCounts {
 ///     c = −g/Δt, so that no gap ends below zero; in an impact with restitution −ε_N γ_N⁻ (approach.hpp);
 ///     q⁺ = q⁻ + Δt F ū,     ū = ½(u⁻ + u⁺), or u⁺ for bodies that half of u⁻ would take into each other.
 /// Gaps enter the law, not only its activation: what is in contact does not drift into each other, what
-/// would collide within the step cannot pass, however fast: gaps of spheres are convex, so their tangent is
-/// on the safe side (approach.hpp), and contacts that close only by the impulses of others are added until
-/// there are none. A contact that so closes in the step of another's impact ends it touching and bounces in
-/// the next step with what is left of its approach.
+/// would collide within the step cannot pass, however fast, where the inclusion is solved: gaps of spheres
+/// are convex, so their tangent is on the safe side (approach.hpp), and contacts that close only by the
+/// impulses of others are added until there are none. A residual ρ may leave a gap of −ρΔt max |γ − c| (balls
+/// shot at 1e6 m/s, 10⁵ radii a step, at others between them and a wall: 2e-5 and 2 cm). A contact that so
+/// closes in the step of another's impact ends it touching and bounces in the next step with what is left of
+/// its approach.
 ///
 /// Free flight with constant forces is exact; else first order. E₁ = E₀ + work − Σ dissipated.total() + Σ
 /// dissipated.driven to rounding, `dissipated` by rule (contact_account.hpp), `work` of drag, if any, then
@@ -47,8 +49,9 @@ struct NscdCounts {
 /// `state`: as BodyLayout(data) lays it out; moved on to t_end or as far as it comes. The observer is shown
 /// samples as integrate() shows them, linear within a step, with no modes. The report has no events;
 /// inclusions that are not solved to solver_tolerance (in at most 1000 sweeps) do not end the run: they are
-/// counted, and worst_residual says how bad. options: step, solver_tolerance, output_interval, max_steps,
-/// fidelity. The result is the same to the last bit for any number of threads >= 1.
+/// counted, worst_residual says how bad, and `message` tells both. options: step, solver_tolerance,
+/// output_interval, max_steps, fidelity. The result is the same to the last bit for any number of threads
+/// >= 1.
 ///
 /// Throws std::invalid_argument with one line for data, a state or options that make no sense, a start with
 /// bodies in each other or in a plane (by more than 1e-6 of a radius and Δt²g) included.
