@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "contensou/contact/blocks.hpp"
 #include "contensou/contact/one_contact.hpp"
@@ -10,6 +11,11 @@ namespace contensou {
 namespace {
 
 constexpr int sweeps_between_looks = 16;
+/// Looks that find nothing better than before, after which acceleration has been caught in a cycle of
+/// contacts that stick and slip in turn, and sweeps without it that lead out. By trial: piles of 48 balls, μ
+/// 0.2 to 1.
+constexpr int most_vain_looks = 2;
+constexpr int plain_sweeps = 80;
 /// Fewer contacts than this in a run are not worth waiting for each other.
 constexpr std::size_t worth_sharing = 64;
 
@@ -174,11 +180,15 @@ BlockReport BlockSolver::solve(ContactSet& set, const std::vector<Mobility>& mob
   if (x_.size() < n) {
     x_.resize(n);
     g_.resize(n);
+    best_x_.resize(n);
   }
   anderson_.restart(n);
   apply_all(set, mobility, twists);
   const double goal = tolerance_ * speed;
   report.solved = false;
+  double best = std::numeric_limits<double>::infinity();
+  int vain_looks = 0;
+  int plain = 0;
   while (true) {
     gather(set, x_);
     const double change = sweep(set, mobility, twists);
@@ -188,7 +198,31 @@ BlockReport BlockSolver::solve(ContactSet& set, const std::vector<Mobility>& mob
       apply_all(set, mobility, twists);
       report.residual = residual(set, twists, speed);
       report.solved = report.residual <= tolerance_;
-      if (report.solved || last) return report;
+      if (report.solved) return report;
+      if (report.residual < best) {
+        if (report.residual < best / 2) vain_looks = 0;
+        best = report.residual;
+        gather(set, best_x_);
+      } else {
+        ++vain_looks;
+      }
+      if (last) {
+        if (best < report.residual) {
+          scatter(best_x_, set);
+          apply_all(set, mobility, twists);
+          report.residual = residual(set, twists, speed);
+        }
+        return report;
+      }
+      if (vain_looks >= most_vain_looks && plain == 0) {
+        vain_looks = 0;
+        plain = plain_sweeps;
+        anderson_.restart(n);
+      }
+    }
+    if (plain > 0) {
+      --plain;
+      continue;
     }
     gather(set, g_);
     anderson_.step(g_, x_);

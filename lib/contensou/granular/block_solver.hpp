@@ -22,7 +22,9 @@ struct [[nodiscard]] BlockReport {
 /// the sweeps. Memory and time of a sweep grow with the contacts.
 ///
 /// The residual (that of contact_problem.hpp, V = max |b| over all contacts) is looked at when a sweep
-/// changes velocities by little enough, and every 16 sweeps; the result is what was looked at last.
+/// changes velocities by little enough, and every 16 sweeps; the result is the best that was looked at. Where
+/// looks find no better, sweeps go on without acceleration for a while: it can be caught in a cycle where
+/// contacts stick and slip in turn, the more so the larger μ is.
 ///
 /// Contacts of one colour are shared among the team where there are enough of them; all sums are in an order
 /// that does not depend on how many share.
@@ -50,7 +52,7 @@ class BlockSolver {
   WorkerTeam& team_;
   std::vector<double> largest_;  ///< of each worker
   std::vector<Twist> free_;
-  Eigen::VectorXd x_, g_;
+  Eigen::VectorXd x_, g_, best_x_;
   Anderson anderson_;
 };
 
