@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "../system/bodies_examples.hpp"
 #include "contensou/integrate/classic_rk4.hpp"
 #include "stepping_problems.hpp"
 
@@ -180,4 +181,26 @@ TEST_CASE("EventSearch: spin changes its sign while the contact slides", "[integ
   Step shorter{slab, Slab::at(0, {2, 0, 0, 0.5}), {ContactMode::slip}, 0.9 * *theta * step.h};
   CHECK(!shorter.find());
   CHECK(!shorter.search.spin_reversal(shorter.method, 0, shorter.h, 0));
+}
+
+TEST_CASE("EventSearch: a closing that the step has undone before another one at its end", "[integrate]") {
+  // A ball at 10 m/s in a step that ends behind another ball, which it meets at 0.08 s, and in or behind a
+  // wall, which it would meet in that ball or behind it.
+  for (const double wall : {0.1, 1.0}) {
+    BodiesData data;
+    data.bodies = {system_test::ball("thrown", 1, 0.1, 0), system_test::ball("hit", 1, 0.1, 1)};
+    data.bodies[0].position = {-1, 0, 0};
+    data.bodies[0].velocity = {10, 0, 0};
+    data.planes = {{"wall", -Eigen::Vector3d::UnitX(), -wall, 2}};
+    data.rules = {{"pair", AnyFriction{NoFriction{}}, 0, 0, 1}, {"wall", AnyFriction{NoFriction{}}, 0, 0, 1}};
+    system_test::set_rules(data, 3, {{0, 1}, {0, 2}});
+    const RigidBodies system(data);
+    const std::size_t pair = system.contacts()[0].name == "pair" ? 0 : 1;
+    Step step{system, system.start(), {ContactMode::open, ContactMode::open}, 0.25};
+    const auto found = step.find();
+    CAPTURE(wall);
+    REQUIRE(found);
+    CHECK(found->contact == pair);
+    CHECK(std::abs(found->theta * step.h - 0.08) < rounding);
+  }
 }

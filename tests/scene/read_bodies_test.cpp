@@ -183,7 +183,7 @@ TEST_CASE("Scene of bodies: what makes no sense is refused", "[scene]") {
       {{{}, {"scene.gravity=[0,1]"}}, {"scene.gravity", "2 entries"}},
       {{{}, {"scene.formulation=axis"}}, {"not used by system bodies"}},
       {{{"body", "balls", "contact", "load", "outcome", "output"}, {}}, {"there is no body", "[balls.NAME]"}},
-      {{{}, {"top.mass=1"}}, {"--set top.mass: unknown key"}},
+      {{{}, {"top.mass=1"}}, {"--set top.mass: there is no [top]"}},
       {{{}, {"body.top.size=1"}}, {"--set body.top.size: unknown key", "one of angular_drag, inertia"}},
   };
   for (const Refused& refused : cases) CHECK(check_refused(refused) == "");

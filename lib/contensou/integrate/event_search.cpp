@@ -40,7 +40,7 @@ EventSearch::EventSearch(ContactDynamics& dynamics, const MotionScales& scales,
   const std::size_t count = dynamics.contacts();
   armed_.assign(count, true);
   relaxed_.assign(count, false);
-  for (auto* values : {&at_start_, &at_end_, &between_values_}) values->assign(2 * count, 0.0);
+  for (auto* values : {&at_start_, &at_end_, &between_values_, &seen_}) values->assign(2 * count, 0.0);
   for (auto* spins : {&spin_at_start_, &spin_at_end_, &rise_at_start_}) spins->assign(count, 0.0);
   for (Eigen::VectorXd* v : {&between_, &between_rate_}) v->resize(dynamics.size());
 }
@@ -139,15 +139,16 @@ std::optional<double> EventSearch::lowest(std::size_t contact, OdeStep& stepper,
   return 2 * least < std::min(start, end) ? std::optional(theta) : std::nullopt;
 }
 
-/// Where inside the step just tried a monitor is negative, if looking at the likely places finds one; all
-/// monitors are then those of there.
-std::optional<double> EventSearch::event_inside(OdeStep& stepper, double t, double h) {
+/// Where inside the step just tried the gap of a contact is negative that is not so at the end, if looking at
+/// the likely places finds one; all monitors are then those of there.
+std::optional<double> EventSearch::dip_inside(OdeStep& stepper, double t, double h) {
   for (std::size_t i = 0; i < modes_.size(); ++i) {
+    if (at_end_[2 * i] < 0) continue;
     const std::optional<double> theta = lowest(i, stepper, t, h);
     if (theta && !evaluate_between(stepper, t, h, *theta)) return theta;
   }
   for (std::size_t i = 0; i < modes_.size(); ++i) {
-    if (!fresh(i)) continue;
+    if (!fresh(i) || at_end_[2 * i] < 0) continue;
     // It may have gone up, down through zero and up again.
     for (int look = 1; look <= looks_at_fresh; ++look) {
       const double theta = static_cast<double>(look) / (looks_at_fresh + 1);
@@ -156,6 +157,11 @@ std::optional<double> EventSearch::event_inside(OdeStep& stepper, double t, doub
       if (gap < -armed_gap * scales_.length && !evaluate_between(stepper, t, h, theta)) return theta;
     }
   }
+  return std::nullopt;
+}
+
+/// Likewise any monitor, where none is negative at the end.
+std::optional<double> EventSearch::near_zero_inside(OdeStep& stepper, double t, double h) {
   if (!comes_near()) return std::nullopt;
   for (int look = 1; look <= looks_inside; ++look) {
     const double theta = static_cast<double>(look) / (looks_inside + 1);
@@ -164,22 +170,38 @@ std::optional<double> EventSearch::event_inside(OdeStep& stepper, double t, doub
   return std::nullopt;
 }
 
-std::optional<EventSearch::Found> EventSearch::find(OdeStep& stepper, double t, double h) {
-  monitor(t + h, stepper.end(), at_end_);
-  note_spins(spin_at_end_);
-  double last = 1;  // where a monitor is negative
-  if (quiet(at_end_)) {
-    const std::optional<double> inside = event_inside(stepper, t, h);
-    if (!inside) return std::nullopt;
-    last = *inside;
-    at_end_ = between_values_;
-  }
+/// The first zero before `last`, where the monitors have these values, of those that are negative there.
+std::optional<EventSearch::Found> EventSearch::first_zero(OdeStep& stepper, double t, double h,
+                                                          const std::vector<double>& values, double last) {
   std::optional<Found> first;
-  for (std::size_t m = 0; m < at_end_.size(); ++m) {
-    if (at_end_[m] >= 0) continue;
+  for (std::size_t m = 0; m < values.size(); ++m) {
+    if (values[m] >= 0) continue;
     const double left = m % 2 == 0 ? risen(stepper, t, h, m / 2, last) : 0;
     const double theta = left == 0 && at_start_[m] < 0 ? 0 : locate(stepper, t, h, m, left, last);
     if (!first || theta < first->theta) first = Found{theta, m / 2, m, m % 2 == 1};
+  }
+  return first;
+}
+
+std::optional<EventSearch::Found> EventSearch::find(OdeStep& stepper, double t, double h) {
+  monitor(t + h, stepper.end(), at_end_);
+  note_spins(spin_at_end_);
+  std::optional<Found> first = first_zero(stepper, t, h, at_end_, 1);
+  std::optional<double> inside = dip_inside(stepper, t, h);
+  if (!first && !inside) inside = near_zero_inside(stepper, t, h);
+  if (inside) {
+    seen_ = between_values_;
+    const std::optional<Found> other = first_zero(stepper, t, h, seen_, *inside);
+    if (!first || (other && other->theta < first->theta)) first = other;
+  }
+  // What is past zero there was so before, even if it is back at the end of the step.
+  for (std::size_t k = 0; k < at_end_.size() && first && first->theta > 0; ++k) {
+    evaluate_between(stepper, t, h, first->theta);
+    seen_ = between_values_;
+    seen_[first->monitor] = 0;
+    const std::optional<Found> earlier = first_zero(stepper, t, h, seen_, first->theta);
+    if (!earlier || !(earlier->theta < first->theta)) break;
+    first = earlier;
   }
   return first;
 }

@@ -43,7 +43,7 @@ class EventSearch {
   bool fresh(std::size_t contact) const { return modes_[contact] == ContactMode::open && !armed_[contact]; }
 
   /// The first event in the step of length h from time t that `stepper` has just tried. Monitors are looked
-  /// at on its end and, where they come near to zero or a gap has a minimum, inside.
+  /// at on its end and, where they come near to zero or a gap has a minimum, inside; then on the event found.
   std::optional<Found> find(OdeStep& stepper, double t, double h);
   /// The step had no event and was taken: its end is the next one's start.
   void accept(double t, const Eigen::VectorXd& y);
@@ -64,7 +64,10 @@ class EventSearch {
   bool evaluate_between(OdeStep& stepper, double t, double h, double theta);
   bool comes_near() const;
   std::optional<double> lowest(std::size_t contact, OdeStep& stepper, double t, double h);
-  std::optional<double> event_inside(OdeStep& stepper, double t, double h);
+  std::optional<double> dip_inside(OdeStep& stepper, double t, double h);
+  std::optional<double> near_zero_inside(OdeStep& stepper, double t, double h);
+  std::optional<Found> first_zero(OdeStep& stepper, double t, double h, const std::vector<double>& values,
+                                  double last);
   double normal_velocity(std::size_t contact, double t, const Eigen::VectorXd& y);
   double risen(OdeStep& stepper, double t, double h, std::size_t contact, double last);
   double locate(OdeStep& stepper, double t, double h, std::size_t monitor, double left, double right);
@@ -76,6 +79,7 @@ class EventSearch {
   std::vector<bool> armed_;
   std::vector<bool> relaxed_;
   std::vector<double> at_start_, at_end_, between_values_;
+  std::vector<double> seen_;                         ///< monitors where zeros are looked for before
   std::vector<double> spin_at_start_, spin_at_end_;  ///< 0 where there is none
   std::vector<double> rise_at_start_;                ///< γ_N of open contacts [m/s]
   Eigen::VectorXd between_, between_rate_;

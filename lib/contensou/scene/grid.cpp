@@ -110,7 +110,8 @@ bool covers(std::string_view upper, std::string_view lower) {
 GridAxis parse_axis(std::string_view text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string_view::npos || equals == 0)
-    throw SceneError("--vary: " + in_quotes(text) + " has no key; " + expected);
+    throw SceneError("--vary: " + in_quotes(text) + (equals == 0 ? " has no key; " : " has no '='; ") +
+                     expected);
   const std::string_view key = text.substr(0, equals), values = text.substr(equals + 1);
   if (split(values, ',').size() == 1) {
     // One word may have a colon in it, such as power:2; numbers on both sides of one are a range left

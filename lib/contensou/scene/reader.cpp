@@ -246,6 +246,11 @@ void SceneReader::finish() const {
     if (unknown == nullptr || entry.second.line < unknown->second.line) unknown = &entry;
   }
   if (unknown != nullptr) {
+    const std::string title(title_of(unknown->first));
+    if (unknown->second.line == 0 && !title.empty() && !document_.tables.contains(title))
+      throw SceneError(where(document_, unknown->first, unknown->second) + ": there is no [" +
+                       shortened(title) + "]; expected " + expected_beside(unknown->first) +
+                       "; or a new table at once: --set " + shortened(title) + "='{key = value, ...}'");
     throw SceneError(where(document_, unknown->first, unknown->second) + ": unknown key, value " +
                      unknown->second.text + "; expected " + expected_beside(unknown->first));
   }
