@@ -1,5 +1,6 @@
 # The session shown in the README is what the program does: each command with build/bin/contensou is run and its output
-# compared word by word, numbers within 1e-13 (relative; an exact 0 has to be 0; what is below 1e-15 is rounding and has to be so).
+# compared word by word, numbers within 1e-13 (relative; an exact 0 has to be 0; what is below 1e-15 is rounding and has to be
+# so). Its scene runs as it stands, and the coin stops.
 source=$1
 program=$2
 folder=$(mktemp -d)
@@ -32,3 +33,7 @@ for command in "$folder"/command*; do
     }
     END { exit failed || NR < 2 }' || exit 1
 done
+
+awk '/^```/ { inside = 0 } inside { print } /^```toml/ { inside = 1 }' "$source/README.md" >"$folder/coin.toml"
+"$program" simulate "$folder/coin.toml" --out "$folder/coin" --quiet || exit 1
+grep -q "$(printf 'stick\tice')" "$folder/coin/events.tsv" || { echo "README.md: the coin does not stop"; exit 1; }

@@ -247,7 +247,8 @@ void SceneReader::finish() const {
   }
   if (unknown != nullptr) {
     const std::string title(title_of(unknown->first));
-    if (unknown->second.line == 0 && !title.empty() && !document_.tables.contains(title))
+    if (unknown->second.line == 0 && !title.empty() && !document_.tables.contains(title) &&
+        !document_.values.contains(title))
       throw SceneError(where(document_, unknown->first, unknown->second) + ": there is no [" +
                        shortened(title) + "]; expected " + expected_beside(unknown->first) +
                        "; or a new table at once: --set " + shortened(title) + "='{key = value, ...}'");
