@@ -92,13 +92,24 @@ run sweep elsewhere/named.toml --set scene.duration=2 $same_grid --out moved.tsv
 succeeds
 check "computed: $(cat out)" grep -q ' 0 of them now' out
 
+# Runs of half a second and more on any machine, so that a sweep of them is still at it when something happens to it.
+slow="$same_grid --set scene.duration=0.5 --set integrator.method=moreau --set integrator.step=1e-5"
+wait_until() { # COMMAND...: some 30 s at most
+  tries=0
+  until "$@" || [ $tries -ge 300 ]; do
+    tries=$((tries + 1))
+    sleep 0.1
+  done
+}
+has_rows() { [ -e "$1" ] && [ "$(rows "$1")" -ge 1 ]; }
+
 # Ctrl-C: what was begun is finished and written, and one line says how to go on; the same for SIGTERM.
 for signal in INT:130 TERM:143; do
   command="contensou sweep, SIG${signal%:*}"
   rm -f stopped.tsv
-  "$program" sweep top.toml $same_grid --jobs 2 --out stopped.tsv >out 2>err &
+  "$program" sweep top.toml $slow --jobs 2 --out stopped.tsv >out 2>err &
   pid=$!
-  sleep 0.5
+  wait_until has_rows stopped.tsv
   kill -${signal%:*} $pid
   status=0
   wait $pid || status=$?
@@ -111,10 +122,10 @@ done
 # Two at once on one table: the second is refused.
 command='contensou sweep, two at once'
 rm -f both.tsv
-"$program" sweep top.toml $same_grid --jobs 1 --quiet --out both.tsv 2>stopped_err &
+"$program" sweep top.toml $slow --jobs 1 --quiet --out both.tsv 2>stopped_err &
 pid=$!
-sleep 0.4
-run sweep top.toml $same_grid --jobs 1 --quiet --out both.tsv
+wait_until has_rows both.tsv
+run sweep top.toml $slow --jobs 1 --quiet --out both.tsv
 refused both.tsv 'another sweep'
 kill $pid
 wait $pid
