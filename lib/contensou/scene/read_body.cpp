@@ -1,12 +1,12 @@
 #include "contensou/scene/read_body.hpp"
 
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "contensou/scene/unit_length.hpp"
+#include "contensou/system/body_limits.hpp"
 
 namespace contensou {
 namespace {
@@ -20,11 +20,10 @@ Rotation rotation_named(const std::string& name) {
                              : Rotation::none;
 }
 
-/// The triangle inequality, but for the rounding of its sum: a flat plate is a body, too.
+/// The triangle inequality.
 void require_possible(const SceneReader& read, const std::string& key, const Vector3d& inertia) {
-  constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
   for (int k = 0; k < 3; ++k) {
-    if (inertia[k] > (inertia[(k + 1) % 3] + inertia[(k + 2) % 3]) * (1 + rounding))
+    if (!at_most_sum(inertia[k], inertia[(k + 1) % 3], inertia[(k + 2) % 3]))
       read.refuse(key, "is of no body", "moments each at most the sum of the others");
   }
 }
@@ -101,10 +100,9 @@ std::optional<BaseData> read_base(SceneReader& read, const BodyData& body) {
       read.refuse_table("body." + body.name + ".sphere.base", "has the base's name", "another name");
   }
   // A driven body keeps its base in its plane only if it turns about the base's axis.
-  constexpr double parallel = 1e-9;  // as unit_tolerance
   const Vector3d axis = body.orientation * Vector3d::UnitZ();
   if (body.rotation == Rotation::driven &&
-      axis.cross(body.spin).stableNorm() > parallel * body.spin.stableNorm())
+      axis.cross(body.spin).stableNorm() > unit_tolerance * body.spin.stableNorm())
     read.refuse("body." + body.name + ".spin", "would tilt the base", "a spin along the body's third axis");
   return BaseData{.name = body.name + ".base", .height = read.number(table + ".height", not_negative)};
 }

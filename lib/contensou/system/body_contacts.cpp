@@ -4,10 +4,10 @@
 #include <stdexcept>
 #include <string>
 
+#include "contensou/system/body_limits.hpp"
+
 namespace contensou {
 namespace {
-
-constexpr double unit_tolerance = 1e-9;  // as in body_data.cpp: what a hand-written file may be off
 
 struct Surface {
   BodySide side;

@@ -2,21 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <stdexcept>
 
+#include "contensou/system/body_limits.hpp"
 #include "contensou/system/require.hpp"
 
 namespace contensou {
 namespace {
-
-constexpr double unit_tolerance = 1e-9;  // of lengths that are to be 1: what a hand-written file may be off
-
-/// A sum of moments is judged with the rounding of its terms: a flat plate is a body, too.
-bool at_most_sum(double i, double j, double k) {
-  return i <= (j + k) * (1 + 4 * std::numeric_limits<double>::epsilon());
-}
 
 /// A body that does not turn has no spin; one that stays flat has it about its third axis.
 void require_possible_spin(const char* name, const BodyData& body) {

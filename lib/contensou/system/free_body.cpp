@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "contensou/system/body_limits.hpp"
 #include "contensou/system/require.hpp"
 
 namespace contensou {
@@ -13,11 +14,6 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr auto system_name = "free body";
-
-/// A sum of moments is judged with the rounding of its terms: a flat plate is a body, too.
-bool at_most_sum(double i, double j, double k) {
-  return i <= (j + k) * (1 + 4 * std::numeric_limits<double>::epsilon());
-}
 
 void require_valid(const FreeBodyData& d) {
   require(system_name, d.i1 > 0, "i1", d.i1, positive_number);
