@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "contensou/scene/scene.hpp"
+#include "refusal.hpp"
 
 namespace contensou::test {
 
@@ -149,12 +150,7 @@ inline Scene changed(const Change& change, std::string_view text = everything) {
 
 /// The one line with which a scene is refused; empty where it is not.
 inline std::string refusal(const Change& change, std::string_view text = everything) {
-  try {
-    changed(change, text);
-  } catch (const SceneError& error) {
-    return error.what();
-  }
-  return "";
+  return refusal_of([&] { changed(change, text); });
 }
 
 inline const BodiesScene& bodies_of(const Scene& scene) { return std::get<BodiesScene>(scene.system); }

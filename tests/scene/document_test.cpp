@@ -4,7 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "refusal.hpp"
+
 using namespace contensou;
+using contensou::test::refusal_of;
 
 namespace {
 
@@ -16,17 +19,6 @@ const SceneValue& at(const SceneDocument& document, std::string_view key) {
 
 double number(const SceneDocument& document, std::string_view key) {
   return std::get<double>(at(document, key).value);
-}
-
-/// The one line with which something is refused; empty where it is not.
-template <class Act>
-std::string refusal(const Act& act) {
-  try {
-    act();
-  } catch (const SceneError& error) {
-    return error.what();
-  }
-  return "";
 }
 
 }  // namespace
@@ -142,7 +134,7 @@ TEST_CASE("Scene document: --unset removes a key or a table", "[scene]") {
   SceneDocument document = parse_document("ab = 0\n[a]\nx = 1\ny = 2\n[a.b]\nz = 3\n", "f");
   unset_value(document, "a.x");
   CHECK(!document.values.contains("a.x"));
-  CHECK(refusal([&] { unset_value(document, "a.x"); }).find("\"a.x\" is not in the scene") !=
+  CHECK(refusal_of([&] { unset_value(document, "a.x"); }).find("\"a.x\" is not in the scene") !=
         std::string::npos);
   unset_value(document, "a");
   CHECK(document.values.size() == 1);
@@ -153,7 +145,7 @@ TEST_CASE("Scene document: what is not TOML is refused with its line", "[scene]"
   for (const char* bad :
        {"a", "a =", "a = 1 1", "[a", "[.]", "[[=]]", "[,", "a = 1\na = 2", "a = \"", "a = 01", "a = '", "=",
         "a = [", "a = 2020-13-01", "a = 1e", "[[a]]\n[a]", "\u00e9 = 1", "a = \u00e9", "a = 1 \u00b5"}) {
-    const std::string message = refusal([&] { parse_document("x = 1\n\n" + std::string(bad), "f.toml"); });
+    const std::string message = refusal_of([&] { parse_document("x = 1\n\n" + std::string(bad), "f.toml"); });
     INFO(bad << ": " << message);
     CHECK((message.starts_with("f.toml:3: ") || message.starts_with("f.toml:4: ")));
     CHECK(message.find('\n') == std::string::npos);
@@ -171,12 +163,12 @@ TEST_CASE("Scene document: depth that would exhaust the stack is refused", "[sce
   for (const std::string_view part : {".a", " . \"#\"", ".'\"'", ".\"\\\"\""}) {
     std::string deep = repeated(part, size / 2);
     deep.insert(0, 1, 'a');
-    CHECK(refusal([&] { parse_document(deep + " = 1", "f"); }).find("100 parts") != std::string::npos);
-    CHECK(refusal([&] { parse_document('[' + deep + ']', "f"); }).find("100 parts") != std::string::npos);
-    CHECK(refusal([&] { parse_document("# x\nb = {" + deep + " = 1}", "f"); }).starts_with("f:2: "));
+    CHECK(refusal_of([&] { parse_document(deep + " = 1", "f"); }).find("100 parts") != std::string::npos);
+    CHECK(refusal_of([&] { parse_document('[' + deep + ']', "f"); }).find("100 parts") != std::string::npos);
+    CHECK(refusal_of([&] { parse_document("# x\nb = {" + deep + " = 1}", "f"); }).starts_with("f:2: "));
   }
   for (const std::string_view part : {"[", "{a = ", "[{a = "}) {
-    CHECK(refusal([&] { parse_document("a = " + repeated(part, size), "f"); }).starts_with("f:1: "));
+    CHECK(refusal_of([&] { parse_document("a = " + repeated(part, size), "f"); }).starts_with("f:1: "));
   }
   // What only looks like it: strings, comments, lists of numbers, leaders of dots.
   const std::string dots = repeated(".", 10000);

@@ -7,6 +7,8 @@
 #include "contensou/scene/scene.hpp"
 #include "contensou/text/name.hpp"
 
+#include "refusal.hpp"
+
 using namespace contensou;
 
 namespace {
@@ -21,12 +23,7 @@ std::vector<double> numbers(const GridAxis& variation) {
 
 /// What is said of a variation that is none.
 std::string refusal(std::string_view text) {
-  try {
-    parse_axis(text);
-  } catch (const SceneError& error) {
-    return error.what();
-  }
-  return "";
+  return contensou::test::refusal_of([&] { parse_axis(text); });
 }
 
 }  // namespace

@@ -3,7 +3,10 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "refusal.hpp"
+
 using namespace contensou;
+using contensou::test::refusal_of;
 
 namespace {
 
@@ -13,16 +16,6 @@ SceneDocument document() {
       "= 1\n"
       "[empty]\n",
       "f.toml");
-}
-
-template <class Act>
-std::string refusal(const Act& act) {
-  try {
-    act();
-  } catch (const SceneError& error) {
-    return error.what();
-  }
-  return "";
 }
 
 }  // namespace
@@ -64,20 +57,20 @@ TEST_CASE("Scene reader: unknown keys come first, then the first that is missing
   CHECK(read.tables("b").size() == 2);
   read.number("b.one.mass", positive);
   read.number("b.two.x", positive);
-  CHECK(refusal([&] {
+  CHECK(refusal_of([&] {
           read.finish();
         }).starts_with("f.toml:3: b.two.v: unknown key, value [1, 2, 3]; expected one of x"));
-  CHECK(refusal([&] { read.refuse_table("b.one", "is odd", "another"); }) ==
+  CHECK(refusal_of([&] { read.refuse_table("b.one", "is odd", "another"); }) ==
         "f.toml:5: [b.one] is odd; expected another");
-  CHECK(refusal([&] { read.refuse_table("c", "is odd", "another"); }) ==
+  CHECK(refusal_of([&] { read.refuse_table("c", "is odd", "another"); }) ==
         "f.toml: [c] is odd; expected another");
-  CHECK(refusal([&] { read.refuse_scene("nothing", "more"); }) == "f.toml: nothing; expected more");
+  CHECK(refusal_of([&] { read.refuse_scene("nothing", "more"); }) == "f.toml: nothing; expected more");
 
   const SceneDocument small = parse_document("[a]\nx = 1\n", "f.toml");
   SceneReader other(small);
   other.number("a.x", positive);
   other.vector("a.v");
   other.number("c.y", positive);
-  CHECK(refusal([&] { other.finish(); }) ==
+  CHECK(refusal_of([&] { other.finish(); }) ==
         "f.toml:1: a.v is missing; expected an array of three finite numbers");
 }
